@@ -1,0 +1,97 @@
+#pragma once
+
+#include "devo_evo/evolution/trial.h"
+#include "devo_evo/experiment/settings.h"
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace devo_evo
+{
+/// Thrown when the archive cannot be written or read; says which file, why, and what would help. The archive stays valid.
+class ArchiveError : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Where results were made, for provenance; never part of a digest.
+struct Provenance
+{
+  std::string version;          ///< of devo_evo, with the commit if known
+  std::string compiler;
+  std::string processor;
+  std::string instruction_set;
+  std::string host;
+};
+
+/// Where to go on with a trial: the arguments of Trial's second constructor.
+struct TrialState
+{
+  int64_t generation = 0;
+  std::vector<Individual> survivors;
+  int64_t next_id = 0;
+};
+
+/// One individual as the archive knows it.
+struct ArchivedIndividual
+{
+  Individual individual;       ///< age: at birth; genome: empty arrays unless has_genome
+  bool has_genome = false;     ///< whether the genome was kept or could be had again by replaying mutations
+  double morphology_window = 0.0;  ///< W_L
+  double control_window = 0.0;     ///< W_Phi
+};
+
+/// An experiment's record: one SQLite file, `experiment.db` in the output folder, one transaction per generation. Schema
+/// and example queries: docs/archive.md. Many may read while one writes; a second writer is refused.
+/// Not thread-safe: one object per thread.
+class Archive
+{
+public:
+  virtual ~Archive() = default;
+
+  /// Everything about a finished generation, in one transaction that survives a crash once this returns.
+  /// @throw ArchiveError if it cannot be written (disk full, file gone); nothing of the generation is kept then.
+  virtual void commitGeneration(const GenerationRecord& record) = 0;
+
+  /// The evaluation of an individual with this phenotype, if there has been one in any trial.
+  virtual std::optional<Evaluation> findEvaluation(const Hash128& phenotype_hash) const = 0;
+
+  /// The last committed generation of each trial that has one.
+  virtual std::map<int64_t, TrialState> trialStates() const = 0;
+
+  /// @throw InvalidInput if there is no such individual.
+  virtual ArchivedIndividual readIndividual(int64_t trial, int64_t id) const = 0;
+
+  /// An individual and its ancestors, oldest first. @throw InvalidInput if there is no such individual.
+  virtual std::vector<ArchivedIndividual> readLineage(int64_t trial, int64_t id) const = 0;
+
+  /// Id of the champion of a trial's last committed generation. @throw InvalidInput if the trial has none.
+  virtual int64_t championOf(int64_t trial) const = 0;
+
+  /// Numbers of the trials with at least one committed generation, ascending.
+  virtual std::vector<int64_t> trials() const = 0;
+
+  virtual ExperimentSettings settings() const = 0;
+
+  /// SHA-256, 64 hexadecimal digits, over all that evolution decided (docs/archive.md, "Digest"): equal for equal evolution.
+  virtual std::string digest() const = 0;
+};
+
+/// Path of the archive in an output folder.
+std::string archivePath(const std::string& output);
+
+/// Opens the archive in settings.output for writing; makes folder and archive if there is none.
+/// An existing one is resumed if body, arm, population, seed, lifetime and physics agree (trials and generations may grow).
+/// @throw ArchiveError if they differ (naming each difference), if another evolver writes to it, if the folder lies on a
+///        network file system or cannot be written.
+std::unique_ptr<Archive> openArchiveForWriting(const ExperimentSettings& settings, const Provenance& provenance);
+
+/// Opens an existing archive for reading, also while an evolver writes to it.
+/// @throw ArchiveError if there is none, or it is not one of ours.
+std::unique_ptr<Archive> openArchiveForReading(const std::string& output);
+}  // namespace devo_evo

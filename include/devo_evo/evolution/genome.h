@@ -1,0 +1,61 @@
+#pragma once
+
+#include "devo_evo/evolution/random.h"
+#include "devo_evo/evolution/settings.h"
+#include "devo_evo/soft_body/developmental_program.h"
+#include "devo_evo/soft_body/lattice.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace devo_evo
+{
+/// What is inherited: the developmental program and, where they evolve, one mutation rate per voxel.
+struct Genome
+{
+  DevelopmentalProgram program;
+  std::vector<double> mutation_rate;  ///< per voxel, in the program's order [1, 1/48 to 1]; empty unless self-adaptive
+
+  bool operator==(const Genome& other) const;
+};
+
+/// One of the arrays of a developmental program as evolution sees it.
+struct TraitSpec
+{
+  std::string name;                                    ///< as in files, for example "size_gene_initial"
+  std::vector<double> DevelopmentalProgram::*values;   ///< where it stands
+  double limit;                                        ///< values lie within +-limit
+  double mutation_sigma;                               ///< standard deviation of a mutation
+  bool mirrored;                                       ///< whether the body's symmetry plane mirrors it
+};
+
+/// The traits that evolve under a treatment, in the order of mutation: size_gene_initial, [size_gene_final,]
+/// phase_initial[, phase_final].
+std::vector<TraitSpec> evolvingTraits(const EvolutionSettings& settings);
+
+/// A founder or an injected individual: every evolving trait uniform within its limits, sizes mirrored; mutation rates as
+/// the profile says (docs/evolution.md).
+Genome randomGenome(const EvolutionSettings& settings, const Lattice& lattice, RandomStream& random);
+
+/// What one reproduction did, for tests and analyses.
+struct MutationRecord
+{
+  std::vector<std::string> traits;  ///< names of the traits selected for mutation
+};
+
+/// A child: a copy of the parent with mutation rates and then traits mutated (docs/evolution.md; paper, Methods).
+Genome mutate(const Genome& parent, const EvolutionSettings& settings, const Lattice& lattice, RandomStream& random,
+              MutationRecord* record = nullptr);
+
+/// @throw InvalidInput as validate(DevelopmentalProgram), also if a value exceeds the treatment's limits or the mutation
+///        rates do not fit the settings.
+void validate(const Genome& genome, const EvolutionSettings& settings, const SoftBodySettings& body);
+
+/// 128-bit hashes (first half of SHA-256 over the arrays' values in little endian, each array led by its length as a
+/// 64-bit integer). Equal programs behave equally, so the first is the key of evaluations already made.
+using Hash128 = std::array<uint8_t, 16>;
+Hash128 phenotypeHash(const DevelopmentalProgram& program);
+Hash128 genomeHash(const Genome& genome);
+std::string toHex(const Hash128& hash);
+}  // namespace devo_evo
