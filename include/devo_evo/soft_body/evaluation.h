@@ -19,7 +19,8 @@ struct Divergence
   std::string describe(double time_step) const;
 };
 
-/// The outcome of one robot's life: a pure function of its DevelopmentalProgram and the SoftBodySettings, to the last bit.
+/// The outcome of one robot's life: a pure function of its DevelopmentalProgram and the SoftBodySettings, to the last
+/// bit.
 struct Evaluation
 {
   static constexpr double NONE = std::numeric_limits<double>::quiet_NaN();
@@ -30,10 +31,12 @@ struct Evaluation
   double displacement_y_voxels = NONE;   ///< the same [voxels]
   double displacement_xy_voxels = NONE;  ///< distance in the horizontal plane from birth to the end [voxels]
 
-  std::optional<double> first_top_contact_since_birth_s;  ///< first touch of the floor by the top layer [s]; none: never
-  std::optional<double> fell_over_since_birth_s;  ///< first time that more top voxels touch than others [s]; none: never
+  std::optional<double>
+      first_top_contact_since_birth_s;  ///< first touch of the floor by the top layer [s]; none: never
+  std::optional<double>
+      fell_over_since_birth_s;  ///< first time that more top voxels touch than others [s]; none: never
 
-  double turns = NONE;              ///< accumulated rotation about the lateral axis x [full turns, right-handed about +x]
+  double turns = NONE;  ///< accumulated rotation about the lateral axis x [full turns, right-handed about +x]
   double airborne_fraction = NONE;  ///< share of the lifetime in which no voxel touches the floor [1]
 
   std::vector<double> velocity_body_lengths_per_s;  ///< mean velocity along +y per window of 0.5 s [body lengths / s]

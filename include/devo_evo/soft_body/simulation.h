@@ -37,15 +37,16 @@ InstructionSet parseInstructionSet(const std::string& name);
 /// How many robots its kernel simulates in lock-step: 1, 4 or 8.
 int laneCount(InstructionSet instruction_set);
 
-/// One voxel at the end of the last completed step. World frame: right-handed, z up, floor at z = 0; body frame: the voxel's.
+/// One voxel at the end of the last completed step. World frame: right-handed, z up, floor at z = 0; body frame: the
+/// voxel's.
 struct VoxelState
 {
-  Eigen::Vector3d position;         ///< centre [m]
-  Eigen::Quaterniond orientation;   ///< body to world
-  Eigen::Vector3d velocity;         ///< [m/s]
-  Eigen::Vector3d angular_velocity; ///< in world frame [rad/s]
-  double scale;                     ///< present resting edge length, actuation included [m]
-  bool static_friction;             ///< whether the floor holds it
+  Eigen::Vector3d position;          ///< centre [m]
+  Eigen::Quaterniond orientation;    ///< body to world
+  Eigen::Vector3d velocity;          ///< [m/s]
+  Eigen::Vector3d angular_velocity;  ///< in world frame [rad/s]
+  double scale;                      ///< present resting edge length, actuation included [m]
+  bool static_friction;              ///< whether the floor holds it
 };
 
 /// Up to laneCount() robots living their lives in lock-step, one robot a lane. Robots do not influence each other.
