@@ -1,5 +1,7 @@
 #pragma once
 
+#include "devo_evo/soft_body/text.h"
+
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -45,7 +47,4 @@ struct Evaluation
 
   std::optional<Divergence> divergence;  ///< set exactly if not valid
 };
-
-/// A hash as people see it: 16 lower-case hexadecimal digits.
-std::string hashToString(uint64_t hash);
 }  // namespace devo_evo
