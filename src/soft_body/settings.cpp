@@ -1,28 +1,12 @@
 #include "devo_evo/soft_body/settings.h"
 
 #include "devo_evo/soft_body/text.h"
+#include "soft_body/check_ranges.h"
 
 #include <cmath>
 
 namespace devo_evo
 {
-namespace
-{
-template <class Value>
-void checkRanges(const SoftBodySettings& settings, const std::vector<BoundedField<SoftBodySettings, Value>>& fields)
-{
-  for (const auto& field : fields)
-  {
-    const Value value = settings.*field.value;
-    if (!(value >= field.minimum && value <= field.maximum))
-    {
-      throw InvalidInput(std::string(field.name) + " is " + toText(value) + "; it must lie within " +
-                         toText(field.minimum) + " to " + toText(field.maximum));
-    }
-  }
-}
-}  // namespace
-
 const std::vector<BoundedField<SoftBodySettings, int>>& softBodyIntegers()
 {
   static const std::vector<BoundedField<SoftBodySettings, int>> fields = {

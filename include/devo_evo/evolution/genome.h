@@ -6,6 +6,7 @@
 #include "devo_evo/soft_body/lattice.h"
 
 #include <array>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -23,19 +24,19 @@ struct Genome
 /// One of the arrays of a developmental program as evolution sees it.
 struct TraitSpec
 {
-  std::string name;                                    ///< as in files, for example "size_gene_initial"
-  std::vector<double> DevelopmentalProgram::*values;   ///< where it stands
-  double limit;                                        ///< values lie within +-limit
-  double mutation_sigma;                               ///< standard deviation of a mutation
-  bool mirrored;                                       ///< whether the body's symmetry plane mirrors it
+  std::string name;                                   ///< as in files, for example "size_gene_initial"
+  std::vector<double> DevelopmentalProgram::*values;  ///< where it stands
+  double limit;                                       ///< values lie within +-limit
+  double mutation_sigma;                              ///< standard deviation of a mutation
+  bool mirrored;                                      ///< whether the body's symmetry plane mirrors it
 };
 
 /// The traits that evolve under a treatment, in the order of mutation: size_gene_initial, [size_gene_final,]
 /// phase_initial[, phase_final].
 std::vector<TraitSpec> evolvingTraits(const EvolutionSettings& settings);
 
-/// A founder or an injected individual: every evolving trait uniform within its limits, sizes mirrored; mutation rates as
-/// the profile says (docs/evolution.md).
+/// A founder or an injected individual: every evolving trait uniform within its limits, sizes mirrored; mutation rates
+/// as the profile says (docs/evolution.md).
 Genome randomGenome(const EvolutionSettings& settings, const Lattice& lattice, RandomStream& random);
 
 /// What one reproduction did, for tests and analyses.
@@ -48,12 +49,20 @@ struct MutationRecord
 Genome mutate(const Genome& parent, const EvolutionSettings& settings, const Lattice& lattice, RandomStream& random,
               MutationRecord* record = nullptr);
 
-/// @throw InvalidInput as validate(DevelopmentalProgram), also if a value exceeds the treatment's limits or the mutation
-///        rates do not fit the settings.
+/// The only way in which individuals come to be: a pure function, so that an individual can be had again from its
+/// parent or, if it has none, from nothing.
+/// @param generation in which it is born.
+/// @param parent     its parent's genome; nullptr for a founder or an injected individual.
+Genome bornGenome(const EvolutionSettings& settings, const Lattice& lattice, int64_t trial, int64_t generation,
+                  int64_t id, const Genome* parent);
+
+/// @throw InvalidInput as validate(DevelopmentalProgram), also if a phase exceeds the profile's limit, if final values
+///        differ from initial ones without development, or if the mutation rates do not fit the settings.
 void validate(const Genome& genome, const EvolutionSettings& settings, const SoftBodySettings& body);
 
-/// 128-bit hashes (first half of SHA-256 over the arrays' values in little endian, each array led by its length as a
-/// 64-bit integer). Equal programs behave equally, so the first is the key of evaluations already made.
+/// 128-bit hashes: first half of SHA-256 over the arrays, each its length as a 64-bit integer and then its values, all
+/// in little endian. The arrays are those of the program in the order of its fields, for a genome followed by the
+/// mutation rates. Equal programs behave equally, so the first is the key of evaluations already made.
 using Hash128 = std::array<uint8_t, 16>;
 Hash128 phenotypeHash(const DevelopmentalProgram& program);
 Hash128 genomeHash(const Genome& genome);

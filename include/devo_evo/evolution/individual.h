@@ -14,10 +14,10 @@ struct Individual
   static constexpr int64_t NO_PARENT = -1;
 
   int64_t trial = 0;
-  int64_t id = 0;                ///< counts up within the trial, from 0
-  int64_t parent = NO_PARENT;    ///< id of the parent; NO_PARENT if random
-  int64_t generation = 0;        ///< in which it was born
-  int64_t age = 0;               ///< generations since the oldest ancestor was random
+  int64_t id = 0;              ///< counts up within the trial, from 0
+  int64_t parent = NO_PARENT;  ///< id of the parent; NO_PARENT if random
+  int64_t generation = 0;      ///< in which it was born
+  int64_t age = 0;             ///< generations since the oldest ancestor was random
   Genome genome;
   std::optional<Evaluation> evaluation;  ///< none until evaluated
 };

@@ -5,8 +5,8 @@
 
 namespace devo_evo
 {
-/// What a stream of random numbers is for; part of its key, so that streams never overlap. Numbers are part of the format:
-/// append only.
+/// What a stream of random numbers is for; part of its key, so that streams never overlap. Numbers are part of the
+/// format: append only.
 enum class RandomPurpose : uint32_t
 {
   FOUNDER_GENOME = 1,
@@ -15,8 +15,9 @@ enum class RandomPurpose : uint32_t
   SURVIVOR_DRAW = 4
 };
 
-/// A stream of random numbers that is a pure function of its key (Random123's Philox 4x64-10): no draw depends on order,
-/// machine or thread, and there is no state to save. Real numbers come from our own arithmetic, not the C library's.
+/// A stream of random numbers that is a pure function of its key (Random123's Philox 4x64-10): no draw depends on
+/// order, machine or thread, and there is no state to save. Real numbers come from our own arithmetic, not the C
+/// library's.
 class RandomStream
 {
 public:
@@ -25,11 +26,11 @@ public:
   RandomStream(int64_t seed, const std::string& arm, int64_t trial, int64_t generation, int64_t individual,
                RandomPurpose purpose);
 
-  uint64_t bits();                    ///< 64 independent bits
-  double uniform();                   ///< in [0, 1), 53 bits
+  uint64_t bits();                          ///< 64 independent bits
+  double uniform();                         ///< in [0, 1), 53 bits
   double uniform(double low, double high);  ///< in [low, high)
-  double normal();                    ///< standard normal deviate
-  uint64_t below(uint64_t bound);     ///< unbiased integer in [0, bound). @pre bound > 0
+  double normal();                          ///< standard normal deviate
+  uint64_t below(uint64_t bound);           ///< unbiased integer in [0, bound). @pre bound > 0
 
 private:
   uint64_t key_[2];

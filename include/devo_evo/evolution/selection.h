@@ -23,15 +23,15 @@ struct Ranked
   int dominators;  ///< its level: how many candidates dominate it
 };
 
-/// Whether `a` is dominated by `b` (docs/evolution.md, "Selection"): `a` is strictly better in neither fitness nor age; of
-/// full ties the newer, with the higher id, dominates the older.
+/// Whether `a` is dominated by `b` (docs/evolution.md, "Selection"): `a` is strictly better in neither fitness nor age;
+/// of full ties the newer, with the higher id, dominates the older.
 bool isDominatedBy(const Candidate& a, const Candidate& b);
 
 /// All candidates by level, then fitness (falling), then age (rising), then id (falling).
 std::vector<Ranked> rank(const std::vector<Candidate>& candidates);
 
-/// Age-Fitness-Pareto selection as the paper's released code does it: whole levels while they fit; of the first that does
-/// not, the best and a logarithmic-rank draw of the others.
+/// Age-Fitness-Pareto selection as the paper's released code does it: whole levels while they fit; of the first that
+/// does not, the best and a logarithmic-rank draw of the others.
 /// @return indices of the survivors, in ranking order; all candidates if there are no more than `population`.
 std::vector<size_t> selectSurvivors(const std::vector<Candidate>& candidates, size_t population, RandomStream& random);
 }  // namespace devo_evo

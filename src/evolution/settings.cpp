@@ -1,0 +1,87 @@
+#include "devo_evo/evolution/settings.h"
+
+#include "devo_evo/soft_body/text.h"
+#include "soft_body/check_ranges.h"
+
+namespace devo_evo
+{
+std::string toString(Treatment treatment)
+{
+  return treatment == Treatment::EVO ? "evo" : "evo_devo";
+}
+
+std::string toString(Profile profile)
+{
+  return profile == Profile::PAPER ? "paper" : "released_code";
+}
+
+Treatment parseTreatment(const std::string& name)
+{
+  for (const Treatment treatment : { Treatment::EVO, Treatment::EVO_DEVO })
+  {
+    if (name == toString(treatment))
+    {
+      return treatment;
+    }
+  }
+  throw InvalidInput("treatment is \"" + name + "\"; it must be evo or evo_devo");
+}
+
+Profile parseProfile(const std::string& name)
+{
+  for (const Profile profile : { Profile::PAPER, Profile::RELEASED_CODE })
+  {
+    if (name == toString(profile))
+    {
+      return profile;
+    }
+  }
+  throw InvalidInput("profile is \"" + name + "\"; it must be paper or released_code");
+}
+
+const std::vector<BoundedField<EvolutionSettings, int>>& evolutionIntegers()
+{
+  static const std::vector<BoundedField<EvolutionSettings, int>> fields = {
+    { "population", &EvolutionSettings::population, 2, 10000 },
+    { "random_injections", &EvolutionSettings::random_injections, 0, 1000 },
+  };
+  return fields;
+}
+
+const std::vector<BoundedField<EvolutionSettings, double>>& evolutionReals()
+{
+  static const std::vector<BoundedField<EvolutionSettings, double>> fields = {
+    { "size_mutation_sigma", &EvolutionSettings::size_mutation_sigma, 0.0, 10.0 },
+    { "meta_mutation_sigma", &EvolutionSettings::meta_mutation_sigma, 0.0, 1.0 },
+    { "minimum_mutation_rate", &EvolutionSettings::minimum_mutation_rate, 0.0, 1.0 },
+  };
+  return fields;
+}
+
+double EvolutionSettings::phaseLimit() const
+{
+  return profile == Profile::PAPER ? 0.25 : 1.0;
+}
+
+std::string EvolutionSettings::arm() const
+{
+  // Adding 0.0 turns -0.0 into 0.0: equal rates, equal names.
+  const std::string rate = mutation_rate ? toText(*mutation_rate + 0.0) : "self_adaptive";
+  return toString(treatment) + "/" + toString(profile) + "/" + rate;
+}
+
+void EvolutionSettings::validate() const
+{
+  if (mutation_rate && !(*mutation_rate >= 0.0 && *mutation_rate <= 1.0))
+  {
+    throw InvalidInput("mutation_rate is " + toText(*mutation_rate) +
+                       "; it must be self_adaptive or lie within 0 to 1");
+  }
+  checkRanges(*this, evolutionIntegers());
+  if (seed < 0)
+  {
+    throw InvalidInput("seed is " + toText(seed) + "; it must lie within 0 to " + toText(INT64_MAX));
+  }
+  checkRanges(*this, evolutionReals());
+}
+}  // namespace devo_evo
