@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 
@@ -15,9 +17,9 @@ enum class RandomPurpose : uint32_t
   SURVIVOR_DRAW = 4
 };
 
-/// A stream of random numbers that is a pure function of its key (Random123's Philox 4x64-10): no draw depends on
-/// order, machine or thread, and there is no state to save. Real numbers come from our own arithmetic, not the C
-/// library's.
+/// A stream of random numbers that is a pure function of its key: no draw depends on order, machine or thread, and
+/// there is no state to save. Bits come from Random123's Philox 4x64-10, real numbers from them by our own arithmetic,
+/// not the C library's (docs/evolution.md, "Random numbers"). A stream has 2^34 draws, far more than anybody can use.
 class RandomStream
 {
 public:
@@ -28,14 +30,17 @@ public:
 
   uint64_t bits();                          ///< 64 independent bits
   double uniform();                         ///< in [0, 1), 53 bits
-  double uniform(double low, double high);  ///< in [low, high)
-  double normal();                          ///< standard normal deviate
+  double uniform(double low, double high);  ///< in [low, high). @pre low < high
+  double normal();                          ///< standard normal deviate, by inversion; within +-8.3
   uint64_t below(uint64_t bound);           ///< unbiased integer in [0, bound). @pre bound > 0
 
 private:
-  uint64_t key_[2];
-  uint64_t counter_[4];
-  uint64_t block_[4];
-  int used_ = 4;
+  static constexpr size_t BLOCK_SIZE = 4;
+  using Block = std::array<uint64_t, BLOCK_SIZE>;
+
+  std::array<uint64_t, 2> key_;
+  Block counter_;  // of the next block
+  Block block_ = {};
+  size_t used_ = BLOCK_SIZE;  // draws taken from block_
 };
 }  // namespace devo_evo
