@@ -1,0 +1,24 @@
+#pragma once
+
+#include "devo_evo/archive/archive.h"
+
+#include <string>
+
+namespace devo_evo
+{
+/// What this program was built from and with. For provenance and messages; no result depends on it.
+struct BuildInfo
+{
+  std::string version;   ///< of the package, as in package.xml: "0.1.0"
+  std::string commit;    ///< abbreviated, with "-dirty" if the sources differed from it; "" if built without git
+  std::string compiler;  ///< name, version and optimisation: "GNU 12.2.0, -O3 -DNDEBUG, Release"
+};
+
+const BuildInfo& buildInfo();
+
+/// Version and commit for people: "0.1.0 (3f2c19a04b1d)", or "0.1.0" without a commit.
+std::string versionText();
+
+/// Provenance of what is computed on this machine with an instruction set ("scalar", "avx2" or "avx512").
+Provenance localProvenance(const std::string& instruction_set);
+}  // namespace devo_evo
