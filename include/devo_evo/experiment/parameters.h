@@ -1,58 +1,66 @@
 #pragma once
 
 #include "devo_evo/experiment/settings.h"
-#include "devo_evo/soft_body/simulation.h"
 
+#include <cstdint>
 #include <functional>
-#include <map>
 #include <string>
 #include <variant>
 #include <vector>
 
 namespace devo_evo
 {
-/// Every setting of the programs: the experiment and how the nodes run it. One name each in YAML, launch files and the
+/// Every setting of the programs: the experiment and how the farm runs it. One name each in YAML, launch files and the
 /// command-line tool.
 struct Parameters
 {
-  ExperimentSettings experiment;
+  ExperimentSettings experiment;  ///< output: "" until somebody asks for defaultOutput()
 
+  int simulators = 0;                    ///< simulator nodes, or threads of the tool; 0: one a core [1]
   std::string instruction_set = "auto";  ///< "auto", "scalar", "avx2" or "avx512"
   double batch_timeout = 60.0;           ///< how long a simulator may take for a batch before it counts as lost [s]
   double announcement_period = 0.5;      ///< how often a simulator announces itself [s]
 };
 
-/// A value as a source gives it: YAML and the parameter server have types, launch arguments and command lines are text.
+/// A value as a source gives it. Text is taken for every type, since launch arguments, command lines and YAML scalars
+/// are text; the parameter server has types.
 using ParameterValue = std::variant<bool, int64_t, double, std::string, std::vector<int64_t>>;
 
 /// Description of one parameter: the single source of checks, documentation and `--help`.
 struct ParameterSpec
 {
   std::string name;
-  std::string group;        ///< "experiment", "evolution", "body", "physics" or "nodes"
-  std::string description;  ///< one sentence, with the symbol and the source in the paper where it has one
-  std::string unit;         ///< "" if it has none
-  std::string allowed;      ///< for people: "0.001 to 1000", "evo or evo_devo"
-  std::string default_text; ///< as one would write it
+  std::string group;         ///< "experiment", "evolution", "body", "physics", "farm" or "nodes"
+  std::string unit;          ///< "" if it has none
+  std::string description;   ///< one sentence, with the symbol in docs/physics.md where it has one
+  std::string allowed;       ///< completes "it must be": "a whole number within 1 to 64", "evo or evo_devo"
+  std::string default_text;  ///< as one would write it
 
   /// Checks and sets. @throw InvalidInput naming parameter, value and what is allowed.
   std::function<void(Parameters&, const ParameterValue&)> set;
 
-  /// The present value as one would write it (17 digits, never by locale).
+  /// The present value as one would write it: reads back as the same value, whatever the locale.
   std::function<std::string(const Parameters&)> get;
 };
 
-/// All parameters, in the order of the documentation.
+/// All parameters, group by group, in the order of the documentation.
 const std::vector<ParameterSpec>& parameterSpecs();
 
 /// @throw InvalidInput if there is none of this name; the message names the closest one.
 const ParameterSpec& parameterSpec(const std::string& name);
 
-/// Sets one parameter. @param source where the value comes from, for the message: "experiment.yaml", "--seed".
+/// Sets one parameter. @param source where the value comes from, for the message: "experiment.yaml:12", "--seed".
+/// @throw InvalidInput if there is none of this name or the value is not allowed.
 void setParameter(Parameters& parameters, const std::string& name, const ParameterValue& value,
                   const std::string& source);
 
-/// Sets what a YAML file holds. @throw InvalidInput with file and line for malformed YAML, unknown keys, wrong types and
-/// values out of range.
+/// Sets what a YAML file holds. @throw InvalidInput with file and line for malformed YAML, unknown or repeated keys,
+/// wrong types and values out of range; with the file if it cannot be read.
 void loadParameters(Parameters& parameters, const std::string& yaml_file);
+
+/// A YAML file with every parameter at its default, documented: config/experiment.yaml.
+std::string parametersAsYaml();
+
+/// A page of documentation on every parameter: docs/parameters.md.
+std::string parametersAsMarkdown();
 }  // namespace devo_evo

@@ -3,20 +3,31 @@
 #include "devo_evo/evolution/settings.h"
 #include "devo_evo/soft_body/settings.h"
 
+#include <cstdint>
 #include <string>
+#include <vector>
 
 namespace devo_evo
 {
-/// An experiment: one arm (treatment, profile, mutation rate), several trials side by side.
+/// An experiment: one arm (treatment, profile, mutation rate), several trials side by side. Ranges stand in
+/// experimentIntegers().
 struct ExperimentSettings
 {
   SoftBodySettings body;
   EvolutionSettings evolution;
-  int trials = 1;             ///< [1, 1 to 10000]
-  int64_t generations = 20;   ///< after generation 0, in every trial [1, 0 to 1000000]
-  std::string output;         ///< folder of the archive; absolute
+  int64_t trials = 1;        ///< independent repetitions, numbered from 1 [1]
+  int64_t generations = 20;  ///< after generation 0, in every trial [1]
+  std::string output;        ///< folder of the archive; absolute
 
-  /// @throw InvalidInput
+  /// @throw InvalidInput naming the field, its value and what is allowed.
   void validate() const;
 };
+
+/// The whole numbers of ExperimentSettings, in their order.
+const std::vector<BoundedField<ExperimentSettings, int64_t>>& experimentIntegers();
+
+/// The folder an experiment writes to if none is named: $HOME/devo_evo/<treatment>-<profile>-<mutation
+/// rate>-seed-<seed>.
+/// @throw InvalidInput if HOME is not an absolute path.
+std::string defaultOutput(const ExperimentSettings& settings);
 }  // namespace devo_evo

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <functional>
+
+namespace devo_evo
+{
+/// Exit statuses of the tool (docs/tool.md). A run that a signal stopped ends with 128 + the signal's number.
+enum ExitStatus
+{
+  EXIT_OK = 0,
+  EXIT_WORK_FAILED = 1,
+  EXIT_BAD_INPUT = 2
+};
+
+/// What the command line asks for: set by the subcommand that was chosen, run after parsing. @return the exit status.
+using Command = std::function<int()>;
+
+// Each adds a subcommand to the tool. `command` must outlive the parsing.
+void addParametersCommand(CLI::App& tool, Command& command);
+}  // namespace devo_evo

@@ -1,0 +1,116 @@
+#include "devo_evo/experiment/parameters.h"
+
+#include "devo_evo/soft_body/text.h"
+#include "experiment/parameter_values.h"
+
+#include <yaml-cpp/yaml.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+
+namespace devo_evo
+{
+namespace
+{
+std::string readFile(const std::string& path)
+{
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored))
+  {
+    throw InvalidInput(path + ": it is a folder; a YAML file is needed");
+  }
+  std::ifstream file(path, std::ios::binary);
+  std::string content{ std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
+  if (!file)
+  {
+    throw InvalidInput(path + ": it cannot be read: " + std::strerror(errno));
+  }
+  return content;
+}
+
+/// "experiment.yaml:12"
+std::string position(const std::string& file, const YAML::Mark& mark)
+{
+  return mark.is_null() ? file : file + ":" + toText(mark.line + 1);
+}
+
+/// The only document of a YAML file; a null node if there is none.
+YAML::Node loadDocument(const std::string& path)
+{
+  try
+  {
+    const std::vector<YAML::Node> documents = YAML::LoadAll(readFile(path));
+    if (documents.size() > 1)
+    {
+      throw InvalidInput(position(path, documents[1].Mark()) + ": a second document; a file must have only one");
+    }
+    return documents.empty() ? YAML::Node() : documents.front();
+  }
+  catch (const YAML::Exception& error)
+  {
+    throw InvalidInput(position(path, error.mark) + ": malformed YAML: " + error.msg);
+  }
+}
+
+/// A list of whole numbers; as text, which no parameter takes, if it is another list.
+ParameterValue listValue(const YAML::Node& node)
+{
+  std::vector<int64_t> numbers;
+  for (const YAML::Node& item : node)
+  {
+    const auto number = item.IsScalar() ? asInteger(item.Scalar()) : std::nullopt;
+    if (!number)
+    {
+      return YAML::Dump(node);
+    }
+    numbers.push_back(*number);
+  }
+  return numbers;
+}
+
+void setParameter(Parameters& parameters, const ParameterSpec& spec, const YAML::Node& node)
+{
+  if (node.IsNull() || node.IsMap())
+  {
+    throw InvalidInput(spec.name + (node.IsMap() ? " is a map" : " has no value") + "; it must be " + spec.allowed);
+  }
+  spec.set(parameters, node.IsScalar() ? ParameterValue(node.Scalar()) : listValue(node));
+}
+}  // namespace
+
+void loadParameters(Parameters& parameters, const std::string& yaml_file)
+{
+  const YAML::Node document = loadDocument(yaml_file);
+  if (document.IsNull())
+  {
+    return;
+  }
+  if (!document.IsMap())
+  {
+    throw InvalidInput(position(yaml_file, document.Mark()) + ": the file must hold lines of the form \"name: value\"");
+  }
+  std::map<std::string, std::string> seen;
+  for (const auto& entry : document)
+  {
+    const std::string source = position(yaml_file, entry.first.Mark());
+    const std::string name = entry.first.IsScalar() ? entry.first.Scalar() : YAML::Dump(entry.first);
+    const auto [earlier, is_new] = seen.emplace(name, source);
+    if (!is_new)
+    {
+      throw InvalidInput(source + ": " + name + " is given twice, first in " + earlier->second);
+    }
+    try
+    {
+      setParameter(parameters, parameterSpec(name), entry.second);
+    }
+    catch (const InvalidInput& error)
+    {
+      throw InvalidInput(source + ": " + error.what());
+    }
+  }
+}
+}  // namespace devo_evo
