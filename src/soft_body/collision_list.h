@@ -1,0 +1,36 @@
+#pragma once
+
+#include "kernel.h"
+
+#include "devo_evo/soft_body/lattice.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace devo_evo
+{
+/// Which pairs of voxels each robot of a batch has to test for collision (docs/physics.md 3).
+class CollisionList
+{
+public:
+  /// @param lanes number of lanes in the batch's arrays; @param robots how many of them are used.
+  CollisionList(const Lattice& lattice, double voxel_size, int lanes, int robots);
+
+  /// Before a step: lists the close pairs of each robot that has moved far enough since its last listing.
+  /// @param voxels as BatchState::voxels. @param max_speed_squared as BatchState has it after the last step.
+  void update(const double* voxels, const double* max_speed_squared, double dt);
+
+  /// Pairs listed for at least one robot, in ascending order of (voxel_a, voxel_b).
+  const std::vector<CollisionPair>& pairs() const { return pairs_; }
+
+private:
+  void list(const double* voxels, int robot);
+
+  double voxel_size_;
+  int lanes_;
+  bool listed_before_ = false;
+  std::vector<double> motion_;             ///< (robots): farthest that a voxel can have moved, in voxel sizes
+  std::vector<CollisionPair> candidates_;  ///< all pairs far enough apart in the lattice
+  std::vector<CollisionPair> pairs_;
+};
+}  // namespace devo_evo

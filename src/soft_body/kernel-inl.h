@@ -1,0 +1,639 @@
+// One time step of the soft-body model, written once for every number type of pack-inl.h. Equations: docs/physics.md.
+//
+//   Symbol           Meaning                                                       Unit    Frame
+//   r                from voxel 1 to voxel 2 of a bond                             m       world; r' in the bond frame
+//   q                orientation of a voxel, body to world                         1
+//   X, Y, Z          axes of voxel 1's body, renamed so that X is the bond's       1       world
+//   n                orientation of voxel 2 relative to voxel 1                    1       bond frame
+//   u                shortest turn of r' onto the bond's axis                      1       bond frame
+//   d, alpha_1/2     what deforms the bond: displacement, rotations of its ends    m, rad  turned bond frame
+//   F, M_1, M_2      force on voxel 1, moments of both ends                        N, N m  turned bond frame, then world
+//
+// The turned bond frame has its x axis along r (large-angle regime) or along X (small-angle regime).
+#pragma once
+
+#include "kernel.h"
+#include "pack-inl.h"
+
+namespace devo_evo
+{
+namespace
+{
+template <class Real>
+struct Vector
+{
+  Real x, y, z;
+};
+
+template <class Real>
+struct Quaternion
+{
+  Real w, x, y, z;
+};
+
+template <class Real>
+inline Vector<Real> operator+(const Vector<Real>& a, const Vector<Real>& b)
+{
+  return { a.x + b.x, a.y + b.y, a.z + b.z };
+}
+
+template <class Real>
+inline Vector<Real> operator-(const Vector<Real>& a, const Vector<Real>& b)
+{
+  return { a.x - b.x, a.y - b.y, a.z - b.z };
+}
+
+template <class Real>
+inline Vector<Real> operator*(Real a, const Vector<Real>& b)
+{
+  return { a * b.x, a * b.y, a * b.z };
+}
+
+template <class Real>
+inline Vector<Real> operator-(const Vector<Real>& a)
+{
+  return { -a.x, -a.y, -a.z };
+}
+
+template <class Real>
+inline Real dot(const Vector<Real>& a, const Vector<Real>& b)
+{
+  return multiplyAdd(a.z, b.z, multiplyAdd(a.y, b.y, a.x * b.x));
+}
+
+template <class Real>
+inline Vector<Real> cross(const Vector<Real>& a, const Vector<Real>& b)
+{
+  return { multiplyAdd(a.y, b.z, -(a.z * b.y)), multiplyAdd(a.z, b.x, -(a.x * b.z)),
+           multiplyAdd(a.x, b.y, -(a.y * b.x)) };
+}
+
+// a * b + c
+template <class Real>
+inline Vector<Real> multiplyAdd(Real a, const Vector<Real>& b, const Vector<Real>& c)
+{
+  return { multiplyAdd(a, b.x, c.x), multiplyAdd(a, b.y, c.y), multiplyAdd(a, b.z, c.z) };
+}
+
+template <class Real>
+inline Vector<Real> select(MaskOf<Real> mask, const Vector<Real>& if_true, const Vector<Real>& if_false)
+{
+  return { select(mask, if_true.x, if_false.x), select(mask, if_true.y, if_false.y),
+           select(mask, if_true.z, if_false.z) };
+}
+
+// The state of a voxel and what a bond remembers, as kernel.h's VoxelField and BondField lay them out.
+template <class Real>
+struct Voxel
+{
+  Vector<Real> position;
+  Quaternion<Real> orientation;
+  Vector<Real> momentum;
+  Vector<Real> angular_momentum;
+  Real scale;
+  Vector<Real> force;
+  Vector<Real> moment;
+  Real size_at_birth;
+  Real size_change;
+  Real phase_at_birth;
+  Real phase_change;
+};
+
+template <class Real>
+struct BondMemory
+{
+  Vector<Real> displacement;
+  Real angle_1_y, angle_1_z;
+  Vector<Real> angle_2;
+};
+
+// ---- functions of one number -------------------------------------------------------------------------------------
+
+// A polynomial of x by Horner's rule, coefficients from the constant term upwards.
+template <class Real>
+inline Real polynomial(Real, double coefficient)
+{
+  return constant<Real>(coefficient);
+}
+
+template <class Real, class... Coefficients>
+inline Real polynomial(Real x, double coefficient, Coefficients... higher)
+{
+  return multiplyAdd(polynomial(x, higher...), x, constant<Real>(coefficient));
+}
+
+// 1 / sqrt(a) for normal a > 0, to within two units in the last place: a guess from the exponent, then two corrections
+// by the binomial series of 1 / sqrt(1 - error). Much cheaper than a square root and a division.
+template <class Real>
+inline Real inverseSquareRoot(Real a)
+{
+  const Real one = constant<Real>(1.0);
+  const Real guess = inverseSquareRootGuess(a);
+  const Real error = multiplyAdd(-(a * guess), guess, one);
+  const Real series = polynomial(error, 0.5, 0.375, 0.3125, 0.2734375);
+  const Real better = multiplyAdd(guess * error, series, guess);
+  const Real rest = multiplyAdd(-(a * better), better, one);
+  return multiplyAdd(better * rest, polynomial(rest, 0.5, 0.375), better);
+}
+
+// sin(angle) for |angle| < 1e5.
+template <class Real>
+inline Real sine(Real angle)
+{
+  const Real round = constant<Real>(6755399441055744.0);  // adding 1.5 * 2^52 leaves the nearest integer in the last bits
+  const Real shifted = multiplyAdd(angle, constant<Real>(0.3183098861837907), round);
+  const Real half_turns = shifted - round;
+  Real rest = multiplyAdd(-half_turns, constant<Real>(3.141592653589793), angle);
+  rest = multiplyAdd(-half_turns, constant<Real>(1.2246467991473532e-16), rest);
+  const Real square = rest * rest;
+  const Real series = polynomial(square, -0.16666666666666666, 0.008333333333333316, -0.00019841269841254885, 2.7557319219139183e-06,
+                -2.505210761393476e-08, 1.6058977114074673e-10, -7.643963965925357e-13, 2.731365867494017e-15 );
+  return flipSignWhereOdd(multiplyAdd(rest * square, series, rest), shifted);
+}
+
+// 2 acos(w) / sqrt(1 - w^2) for w >= 0.7, as a polynomial of 1 - w.
+template <class Real>
+inline Real exactRotationFactor(Real one_minus_w)
+{
+  return polynomial(one_minus_w, 2.0, 0.6666666666666852, 0.26666666666373984, 0.11428571446697104,
+                                   0.05079364500961642, 0.023088131637814254, 0.010654724698679948,
+                                   0.004982773474680468, 0.0022890671466164188, 0.0012786552891562919,
+                                   0.00017931719426897763, 0.0006311574300998297 );
+}
+
+// The same for w < 0.7, with acos(w) = 2 acos(h) for h = sqrt((1 + w) / 2), once or twice.
+template <class Real>
+inline Real exactRotationFactorOfLargeAngle(Real w)
+{
+  const Real half = constant<Real>(0.5);
+  const Real one = constant<Real>(1.0);
+  const Real once = squareRoot(multiplyAdd(half, w, half));
+  const Real twice = squareRoot(multiplyAdd(half, once, half));
+  const auto once_is_enough = constant<Real>(0.7) <= once;
+  const Real divisor = select(once_is_enough, once, once * twice);
+  return exactRotationFactor(one - select(once_is_enough, once, twice)) / divisor;
+}
+
+// What turns a unit quaternion's vector part into its rotation vector, physics.md 2.2, with the reference's approximation
+// 2 sqrt(2 / (1 + w)) for w > 0.9988, and its 0 for w^2 >= 1.
+template <class Real>
+inline Real rotationFactor(Real w)
+{
+  const Real one = constant<Real>(1.0);
+  const Real one_minus_w = one - w;
+  const Real approximation = polynomial(one_minus_w, 2.0, 0.4999999999999957, 0.18750000002643719, 0.07812494306622025, 0.0342297237319617 );
+  Real factor = select(constant<Real>(0.9988) < w, approximation, exactRotationFactor(one_minus_w));
+  const auto far = w < constant<Real>(0.7);
+  if (any(far))
+  {
+    const auto turned = constant<Real>(-1.0) < w;
+    factor = select(far & turned, exactRotationFactorOfLargeAngle(w), factor);
+    factor = select(turned, factor, constant<Real>(0.0));
+  }
+  return select(w < one, factor, constant<Real>(0.0));
+}
+
+// ---- bonds -------------------------------------------------------------------------------------------------------
+
+template <class Real>
+struct Axes
+{
+  Vector<Real> x, y, z;
+};
+
+// The body axes in the world: the columns of the rotation matrix of q.
+template <class Real>
+inline Axes<Real> bodyAxes(const Quaternion<Real>& q)
+{
+  const Real one = constant<Real>(1.0);
+  const Real x2 = q.x + q.x;
+  const Real y2 = q.y + q.y;
+  const Real z2 = q.z + q.z;
+  const Real xx = q.x * x2;
+  const Real yy = q.y * y2;
+  const Real wx = q.w * x2;
+  const Real wy = q.w * y2;
+  const Real wz = q.w * z2;
+  const Real one_minus_zz = multiplyAdd(-q.z, z2, one);
+  return { { one_minus_zz - yy, multiplyAdd(q.x, y2, wz), multiplyAdd(q.x, z2, -wy) },
+           { multiplyAdd(q.x, y2, -wz), one_minus_zz - xx, multiplyAdd(q.y, z2, wx) },
+           { multiplyAdd(q.x, z2, wy), multiplyAdd(q.y, z2, -wx), one - xx - yy } };
+}
+
+// Axes renamed so that the first is the bond's (physics.md 2.1).
+template <int AXIS, class Real>
+inline Axes<Real> bondAxes(const Axes<Real>& body)
+{
+  if constexpr (AXIS == 0)
+  {
+    return body;
+  }
+  else if constexpr (AXIS == 1)
+  {
+    return { body.y, -body.x, body.z };
+  }
+  else
+  {
+    return { body.z, body.y, -body.x };
+  }
+}
+
+// Conjugate of a times b, with the vector part in the bond's axes.
+template <int AXIS, class Real>
+inline Quaternion<Real> relativeOrientation(const Quaternion<Real>& a, const Quaternion<Real>& b)
+{
+  const Real w = multiplyAdd(a.z, b.z, multiplyAdd(a.y, b.y, multiplyAdd(a.x, b.x, a.w * b.w)));
+  const Real x = multiplyAdd(a.z, b.y, multiplyAdd(-a.y, b.z, multiplyAdd(-a.x, b.w, a.w * b.x)));
+  const Real y = multiplyAdd(a.x, b.z, multiplyAdd(-a.z, b.x, multiplyAdd(-a.y, b.w, a.w * b.y)));
+  const Real z = multiplyAdd(a.y, b.x, multiplyAdd(-a.x, b.y, multiplyAdd(-a.z, b.w, a.w * b.z)));
+  if constexpr (AXIS == 0)
+  {
+    return { w, x, y, z };
+  }
+  else if constexpr (AXIS == 1)
+  {
+    return { w, y, -x, z };
+  }
+  else
+  {
+    return { w, z, y, -x };
+  }
+}
+
+// A turn without a component about x.
+template <class Real>
+struct Turn
+{
+  Real w, y, z;
+};
+
+// The product of a turn and a quaternion.
+template <class Real>
+inline Quaternion<Real> operator*(const Turn<Real>& u, const Quaternion<Real>& n)
+{
+  return { multiplyAdd(-u.z, n.z, multiplyAdd(-u.y, n.y, u.w * n.w)),
+           multiplyAdd(-u.z, n.y, multiplyAdd(u.y, n.z, u.w * n.x)),
+           multiplyAdd(u.z, n.x, multiplyAdd(u.y, n.w, u.w * n.y)),
+           multiplyAdd(-u.y, n.x, multiplyAdd(u.z, n.w, u.w * n.z)) };
+}
+
+// Remembers each robot's first, that is lowest, diverged bond of this step.
+inline void reportDivergence(BatchState& state, uint32_t diverged, int bond, const double* strains)
+{
+  for (int lane = 0; lane < MAX_LANES; ++lane)
+  {
+    const uint32_t bit = 1u << lane;
+    if ((diverged & ~state.diverged & bit) != 0)
+    {
+      state.diverged_bond[lane] = bond;
+      state.diverged_strain[lane] = strains[lane];
+    }
+  }
+  state.diverged |= diverged;
+}
+
+// One bond: forces and moments onto its two voxels, physics.md 2.
+template <int AXIS, class Real>
+inline void applyBond(const BodyModel& model, bool first_step, int bond, const Axes<Real>& body_axes_1,
+                      Voxel<Real>& voxel_1, Voxel<Real>& voxel_2, BondMemory<Real>& memory, uint8_t& small_angle_bits,
+                      BatchState& state)
+{
+  using Mask = MaskOf<Real>;
+  const Real one = constant<Real>(1.0);
+  const Real half = constant<Real>(0.5);
+  const Real zero = constant<Real>(0.0);
+  constexpr double theta_s = 0.01732;
+
+  // r' and n in the bond frame; rest is the resting distance l
+  const Axes<Real> axes = bondAxes<AXIS>(body_axes_1);
+  const Vector<Real> r_world = voxel_2.position - voxel_1.position;
+  const Vector<Real> r = { dot(r_world, axes.x), dot(r_world, axes.y), dot(r_world, axes.z) };
+  const Quaternion<Real> n = relativeOrientation<AXIS>(voxel_1.orientation, voxel_2.orientation);
+  const Real rest = half * (voxel_1.scale + voxel_2.scale);
+
+  // Regime, with hysteresis (2.2): cosines are those of theta_s / 2 and 1.1 theta_s / 2
+  const Mask was_small = PackTraits<Real>::maskFromBits(small_angle_bits);
+  const Mask inside = (constant<Real>(0.9999625024343469) < n.w) & (r.x < constant<Real>(1.3) * rest);
+  const Mask outside = (n.w <= constant<Real>(0.9999546280051071)) | (constant<Real>(1.43) * rest < r.x);
+  const Mask is_small = (was_small & !outside) | ((!was_small) & inside);
+  const uint32_t switched_bits = bits(was_small) ^ bits(is_small);
+  small_angle_bits = static_cast<uint8_t>(bits(is_small));
+
+  // Large-angle: u is the shortest turn of r' onto +x
+  const Real square = dot(r, r);
+  const Real inverse_length = inverseSquareRoot(square);
+  const Real length = square * inverse_length;
+  const Real half_inverse_length = half * inverse_length;
+  const Real half_angle_cosine_square = (length + r.x) * half_inverse_length;
+  const Real inverse_half_angle_cosine = inverseSquareRoot(half_angle_cosine_square);
+  const Real scaling = half_inverse_length * inverse_half_angle_cosine;
+  Turn<Real> u = { half_angle_cosine_square * inverse_half_angle_cosine, r.z * scaling, -(r.y * scaling) };
+  Vector<Real> turned_x = inverse_length * r_world;
+  Vector<Real> d = { length - rest, zero, zero };
+
+  const Real bound = constant<Real>(theta_s) * absolute(r.x);
+  const Mask nearly_straight = (absolute(r.y) < bound) & (absolute(r.z) < bound);
+  if (any(nearly_straight | is_small))
+  {
+    // First-order turn of the reference; none at all in the small-angle regime
+    const Real half_over_x = half / r.x;
+    const Real y = r.z * half_over_x;
+    const Real z = -(r.y * half_over_x);
+    const Real w = multiplyAdd(-half, multiplyAdd(y, y, z * z), one);
+    u.w = select(is_small, one, select(nearly_straight, w, u.w));
+    u.y = select(is_small, zero, select(nearly_straight, y, u.y));
+    u.z = select(is_small, zero, select(nearly_straight, z, u.z));
+    const Real u_y2 = u.y + u.y;
+    const Real u_z2 = u.z + u.z;
+    const Vector<Real> first_row = { one - multiplyAdd(u.y, u_y2, u.z * u_z2), -(u.w * u_z2), u.w * u_y2 };
+    const Vector<Real> x = multiplyAdd(first_row.z, axes.z, multiplyAdd(first_row.y, axes.y, first_row.x * axes.x));
+    turned_x = select<Real>(nearly_straight | is_small, x, turned_x);
+    d = select<Real>(is_small, { r.x - rest, r.y, r.z }, d);
+  }
+
+  // Rotation vectors of both ends; that of end 1 has no x component
+  const Real factor_1 = rotationFactor(u.w);
+  const Real a1_y = u.y * factor_1;
+  const Real a1_z = u.z * factor_1;
+  const Quaternion<Real> end_2 = u * n;
+  const Real factor_2 = rotationFactor(end_2.w);
+  const Vector<Real> a2 = { end_2.x * factor_2, end_2.y * factor_2, end_2.z * factor_2 };
+
+  const Mask diverged = !(d.x <= constant<Real>(100.0 * model.nominal_size));
+  if (any(diverged))
+  {
+    const Real strain = d.x / constant<Real>(model.nominal_size);
+    double strains[MAX_LANES] = {};
+    std::memcpy(strains, &strain, sizeof strain);
+    reportDivergence(state, bits(diverged), bond, strains);
+  }
+
+  // Elastic forces and moments (2.3)
+  const Real sum_y = a1_y + a2.y;
+  const Real sum_z = a1_z + a2.z;
+  const Real b1 = constant<Real>(model.shear_stiffness);
+  const Real b2 = constant<Real>(model.coupling_stiffness);
+  const Real b3 = constant<Real>(model.bending_stiffness);
+  Vector<Real> force = { constant<Real>(model.axial_stiffness) * d.x, multiplyAdd(b1, d.y, -(b2 * sum_z)),
+                         multiplyAdd(b1, d.z, b2 * sum_y) };
+  Real twist = -(constant<Real>(model.torsion_stiffness) * a2.x);
+  Real m1_y = multiplyAdd(b3, sum_y + a1_y, b2 * d.z);
+  Real m1_z = multiplyAdd(b3, sum_z + a1_z, -(b2 * d.y));
+  Real m2_y = multiplyAdd(b3, sum_y + a2.y, b2 * d.z);
+  Real m2_z = multiplyAdd(b3, sum_z + a2.z, -(b2 * d.y));
+
+  // Damping: of the changes since the last step that was not a switch step
+  if (first_step)
+  {
+    memory = { d, a1_y, a1_z, a2 };
+  }
+  else
+  {
+    Vector<Real> dd = d - memory.displacement;
+    Real da1_y = a1_y - memory.angle_1_y;
+    Real da1_z = a1_z - memory.angle_1_z;
+    Vector<Real> da2 = a2 - memory.angle_2;
+    if (switched_bits == 0)
+    {
+      memory = { d, a1_y, a1_z, a2 };
+    }
+    else
+    {
+      const Mask switched = PackTraits<Real>::maskFromBits(switched_bits);
+      const Vector<Real> none = { zero, zero, zero };
+      dd = select<Real>(switched, none, dd);
+      da1_y = select(switched, zero, da1_y);
+      da1_z = select(switched, zero, da1_z);
+      da2 = select<Real>(switched, none, da2);
+      memory.displacement = select<Real>(switched, memory.displacement, d);
+      memory.angle_1_y = select(switched, memory.angle_1_y, a1_y);
+      memory.angle_1_z = select(switched, memory.angle_1_z, a1_z);
+      memory.angle_2 = select<Real>(switched, memory.angle_2, a2);
+    }
+    const Real dsum_y = da1_y + da2.y;
+    const Real dsum_z = da1_z + da2.z;
+    const Real c_b1 = constant<Real>(model.shear_damping);
+    const Real c_b2 = constant<Real>(model.coupling_damping);
+    const Real c_b2_moment = constant<Real>(model.coupling_damping_moment);
+    const Real c_b3 = constant<Real>(model.bending_damping);
+    force.x = multiplyAdd(constant<Real>(model.axial_damping), dd.x, force.x);
+    force.y = multiplyAdd(c_b1, dd.y, multiplyAdd(-c_b2, dsum_z, force.y));
+    force.z = multiplyAdd(c_b1, dd.z, multiplyAdd(c_b2, dsum_y, force.z));
+    twist = multiplyAdd(constant<Real>(-model.torsion_damping), da2.x, twist);
+    m1_y = multiplyAdd(c_b3, dsum_y + da1_y, multiplyAdd(c_b2_moment, dd.z, m1_y));
+    m1_z = multiplyAdd(c_b3, dsum_z + da1_z, multiplyAdd(-c_b2_moment, dd.y, m1_z));
+    m2_y = multiplyAdd(c_b3, dsum_y + da2.y, multiplyAdd(c_b2_moment, dd.z, m2_y));
+    m2_z = multiplyAdd(c_b3, dsum_z + da2.z, multiplyAdd(-c_b2_moment, dd.y, m2_z));
+  }
+
+  // Back to the world: the turned frame's axes there, then the sums along them
+  const Real u_z2 = u.z + u.z;
+  const Vector<Real> second_row = { u.w * u_z2, multiplyAdd(-u.z, u_z2, one), u.y * u_z2 };
+  const Vector<Real> turned_y =
+      multiplyAdd(second_row.z, axes.z, multiplyAdd(second_row.y, axes.y, second_row.x * axes.x));
+  const Vector<Real> turned_z = cross(turned_x, turned_y);
+  const Vector<Real> force_world = multiplyAdd(force.z, turned_z, multiplyAdd(force.y, turned_y, force.x * turned_x));
+  const Vector<Real> twist_world = twist * turned_x;
+  const Vector<Real> m1_world = multiplyAdd(m1_z, turned_z, multiplyAdd(m1_y, turned_y, twist_world));
+  const Vector<Real> m2_world = multiplyAdd(m2_z, turned_z, multiplyAdd(m2_y, turned_y, -twist_world));
+
+  voxel_1.force = voxel_1.force + force_world;
+  voxel_2.force = voxel_2.force - force_world;
+  voxel_1.moment = voxel_1.moment - m1_world;
+  voxel_2.moment = voxel_2.moment - m2_world;
+}
+
+// ---- self-collision, physics.md 3 --------------------------------------------------------------------------------
+
+template <class Real>
+inline void applyCollisions(const BodyModel& model, Voxel<Real>* voxels, const BatchState& state)
+{
+  for (int i = 0; i < state.collision_pair_count; ++i)
+  {
+    const CollisionPair& pair = state.collision_pairs[i];
+    Voxel<Real>& a = voxels[pair.voxel_a];
+    Voxel<Real>& b = voxels[pair.voxel_b];
+    const Vector<Real> apart = b.position - a.position;
+    const Real square = dot(apart, apart);
+    const Real reach = constant<Real>(0.75) * (a.scale + b.scale);
+    const MaskOf<Real> touching = PackTraits<Real>::maskFromBits(pair.robots) & (square < reach * reach);
+    if (any(touching))
+    {
+      const Real distance = squareRoot(square);
+      const Real push = constant<Real>(model.axial_stiffness) * (reach - distance) / distance;
+      const Vector<Real> force = select(touching, push, constant<Real>(0.0)) * apart;
+      a.force = a.force - force;
+      b.force = b.force + force;
+    }
+  }
+}
+
+// ---- voxels, physics.md 4 and 5 ----------------------------------------------------------------------------------
+
+// The resting edge length that development and actuation ask for now, kept within its hard limits (5).
+template <class Real>
+inline Real nextScale(const BodyModel& model, const StepClock& clock, const Voxel<Real>& voxel)
+{
+  const Real nominal = constant<Real>(model.nominal_size);
+  Real scale;
+  if (!clock.born)
+  {
+    scale = multiplyAdd(constant<Real>(clock.prenatal_growth), voxel.size_at_birth - nominal, nominal);
+  }
+  else
+  {
+    const Real age = constant<Real>(clock.life_fraction);
+    const Real size = multiplyAdd(age, voxel.size_change, voxel.size_at_birth);
+    const Real phase = multiplyAdd(age, voxel.phase_change, voxel.phase_at_birth);
+    const Real angle = constant<Real>(6.2831850051879883) * (constant<Real>(clock.cycles) + phase);
+    const Real relative_size_times_4 = constant<Real>(4.0 / model.nominal_size) * size;
+    const Real third = constant<Real>(1.0 / 3.0);
+    const Real damping = minimum(multiplyAdd(third, relative_size_times_4, -third), constant<Real>(1.0));
+    scale = multiplyAdd(constant<Real>(model.actuation_amplitude) * damping, sine(angle), size);
+  }
+  const Real last = voxel.scale;
+  const auto too_small = (scale < last) & (scale < constant<Real>(0.25 * model.nominal_size));
+  const auto too_large = (last < scale) & (constant<Real>(1.75 * model.nominal_size) < scale);
+  return select(too_small | too_large, last, scale);
+}
+
+// How far the voxel's lower face is below the floor; not positive: no contact.
+template <class Real>
+inline Real penetration(const Voxel<Real>& voxel)
+{
+  return multiplyAdd(constant<Real>(0.5), voxel.scale, -voxel.position.z);
+}
+
+// Floor contact with friction (4.2): adds to the force, and may stop the voxel.
+template <class Real>
+inline void applyFloor(const BodyModel& model, Real depth, const Vector<Real>& velocity, Voxel<Real>& voxel,
+                       Vector<Real>& force, uint8_t& static_friction_bits)
+{
+  using Mask = MaskOf<Real>;
+  const Real zero = constant<Real>(0.0);
+  const Mask touching = zero < depth;
+  if (!any(touching))
+  {
+    static_friction_bits = 0;
+    return;
+  }
+  const Real normal = constant<Real>(model.floor_stiffness) * depth;
+  const Real vertical = multiplyAdd(constant<Real>(-model.floor_damping), velocity.z, normal + force.z);
+  force.z = select(touching, vertical, force.z);
+
+  const Real speed_square = multiplyAdd(velocity.y, velocity.y, velocity.x * velocity.x);
+  const Real force_square = multiplyAdd(force.y, force.y, force.x * force.x);
+  const Real grip = constant<Real>(model.static_friction) * normal;
+  const Real sliding_friction = constant<Real>(model.dynamic_friction) * normal;
+  const Mask resting = speed_square == zero;
+  const Real speed = squareRoot(speed_square);
+  const Mask sliding =
+      (!resting) & (sliding_friction * constant<Real>(model.dt * model.inverse_mass) < speed) & touching;
+  const Mask held = touching & ((resting & (force_square < grip * grip)) | (!(resting | sliding)));
+  const Real friction = select(sliding, sliding_friction / speed, zero);
+  force.x = select(held, zero, multiplyAdd(-friction, velocity.x, force.x));
+  force.y = select(held, zero, multiplyAdd(-friction, velocity.y, force.y));
+  voxel.momentum.x = select(held, zero, voxel.momentum.x);
+  voxel.momentum.y = select(held, zero, voxel.momentum.y);
+  static_friction_bits = static_cast<uint8_t>(bits(held));
+}
+
+template <class Real>
+inline void integrateTranslation(const BodyModel& model, const Vector<Real>& force, Voxel<Real>& voxel)
+{
+  voxel.momentum = multiplyAdd(constant<Real>(model.dt), force, voxel.momentum);
+  voxel.position = multiplyAdd(constant<Real>(model.dt * model.inverse_mass), voxel.momentum, voxel.position);
+}
+
+template <class Real>
+inline void integrateRotation(const BodyModel& model, Voxel<Real>& voxel)
+{
+  const Vector<Real> driven = multiplyAdd(constant<Real>(model.dt), voxel.moment, voxel.angular_momentum);
+  const Vector<Real> h = constant<Real>(model.rotation_decay) * driven;
+  voxel.angular_momentum = h;
+
+  const Vector<Real> turn = constant<Real>(0.5 * model.dt * model.inverse_inertia) * h;
+  const Quaternion<Real> q = voxel.orientation;
+  const Real w = multiplyAdd(-turn.z, q.z, multiplyAdd(-turn.y, q.y, multiplyAdd(-turn.x, q.x, q.w)));
+  const Real x = multiplyAdd(-turn.z, q.y, multiplyAdd(turn.y, q.z, multiplyAdd(turn.x, q.w, q.x)));
+  const Real y = multiplyAdd(-turn.x, q.z, multiplyAdd(turn.z, q.x, multiplyAdd(turn.y, q.w, q.y)));
+  const Real z = multiplyAdd(-turn.y, q.x, multiplyAdd(turn.x, q.y, multiplyAdd(turn.z, q.w, q.z)));
+  const Real scaling = inverseSquareRoot(multiplyAdd(z, z, multiplyAdd(y, y, multiplyAdd(x, x, w * w))));
+  voxel.orientation = { w * scaling, x * scaling, y * scaling, z * scaling };
+}
+
+template <class Real>
+struct StepSums
+{
+  Real max_momentum_square;
+  Real top_contacts;
+  Real other_contacts;
+};
+
+template <class Real>
+inline void moveVoxel(const BodyModel& model, const StepClock& clock, bool in_top_layer, Voxel<Real>& voxel,
+                      uint8_t& static_friction_bits, StepSums<Real>& sums)
+{
+  const Vector<Real> velocity = constant<Real>(model.inverse_mass) * voxel.momentum;
+  Vector<Real> force = multiplyAdd(constant<Real>(-model.translation_drag), velocity, voxel.force);
+  force.z = force.z - constant<Real>(model.weight);
+  applyFloor(model, penetration(voxel), velocity, voxel, force, static_friction_bits);
+  integrateTranslation(model, force, voxel);
+  integrateRotation(model, voxel);
+  voxel.scale = nextScale(model, clock, voxel);
+
+  const Real zero = constant<Real>(0.0);
+  voxel.force = { zero, zero, zero };
+  voxel.moment = { zero, zero, zero };
+  sums.max_momentum_square = maximum(sums.max_momentum_square, dot(voxel.momentum, voxel.momentum));
+  const Real contact = select(zero < penetration(voxel), constant<Real>(1.0), zero);
+  Real& contacts = in_top_layer ? sums.top_contacts : sums.other_contacts;
+  contacts = contacts + contact;
+}
+
+// ---- the step ----------------------------------------------------------------------------------------------------
+
+// Collisions of all voxels; then voxel by voxel the bonds to its upper neighbours, after which no force on it is missing
+// and nothing needs its old state any more, and its motion.
+template <class Real>
+void step(const BodyModel& model, const StepClock& clock, BatchState& state)
+{
+  auto* const voxels = reinterpret_cast<Voxel<Real>*>(state.voxels);
+  auto* const memories = reinterpret_cast<BondMemory<Real>*>(state.bonds);
+  const Real zero = constant<Real>(0.0);
+  StepSums<Real> sums = { zero, zero, zero };
+  applyCollisions(model, voxels, state);
+  int bond = 0;
+  for (int i = 0; i < model.voxel_count; ++i)
+  {
+    Voxel<Real>& voxel = voxels[i];
+    const Axes<Real> axes = bodyAxes(voxel.orientation);
+    const uint8_t neighbours = model.upper_neighbours[i];
+    if ((neighbours & 1) != 0)
+    {
+      applyBond<0>(model, clock.first_step, bond, axes, voxel, voxels[i + model.stride[0]], memories[bond],
+                   state.small_angle[bond], state);
+      ++bond;
+    }
+    if ((neighbours & 2) != 0)
+    {
+      applyBond<1>(model, clock.first_step, bond, axes, voxel, voxels[i + model.stride[1]], memories[bond],
+                   state.small_angle[bond], state);
+      ++bond;
+    }
+    if ((neighbours & 4) != 0)
+    {
+      applyBond<2>(model, clock.first_step, bond, axes, voxel, voxels[i + model.stride[2]], memories[bond],
+                   state.small_angle[bond], state);
+      ++bond;
+    }
+    moveVoxel(model, clock, model.in_top_layer[i] != 0, voxel, state.static_friction[i], sums);
+  }
+  const Real inverse_mass_square = constant<Real>(model.inverse_mass * model.inverse_mass);
+  const Real max_speed_square = inverse_mass_square * sums.max_momentum_square;
+  std::memcpy(state.max_speed_squared, &max_speed_square, sizeof max_speed_square);
+  std::memcpy(state.top_contacts, &sums.top_contacts, sizeof sums.top_contacts);
+  std::memcpy(state.other_contacts, &sums.other_contacts, sizeof sums.other_contacts);
+}
+}  // namespace
+}  // namespace devo_evo

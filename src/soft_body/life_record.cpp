@@ -1,0 +1,89 @@
+#include "life_record.h"
+
+#include "kernel-inl.h"
+
+namespace devo_evo
+{
+namespace
+{
+constexpr double TWO_PI = 6.283185307179586;
+
+// Rotation vector about x of a turn by less than 90 degrees [rad].
+double rotationAboutX(const Eigen::Quaterniond& turn)
+{
+  const double sign = turn.w() < 0.0 ? -1.0 : 1.0;
+  return sign * turn.x() * exactRotationFactor(1.0 - sign * turn.w());
+}
+}  // namespace
+
+void LifeRecord::beginLife(double time, const Eigen::Vector3d& center_of_mass, const Eigen::Quaterniond& orientation)
+{
+  birth_center_ = center_of_mass;
+  window_center_ = center_of_mass;
+  window_start_ = time;
+  orientation_ = orientation;
+}
+
+void LifeRecord::recordContacts(double time, int top_contacts, int other_contacts)
+{
+  ++steps_;
+  if (top_contacts == 0 && other_contacts == 0)
+  {
+    ++airborne_steps_;
+  }
+  if (top_contacts > 0 && !first_top_contact_)
+  {
+    first_top_contact_ = time - SETTLING_TIME;
+  }
+  if (top_contacts > other_contacts && !fell_over_)
+  {
+    fell_over_ = time - SETTLING_TIME;
+  }
+}
+
+void LifeRecord::recordOrientation(const Eigen::Quaterniond& orientation)
+{
+  turned_ += rotationAboutX(orientation * orientation_.conjugate());
+  orientation_ = orientation;
+}
+
+bool LifeRecord::windowEnds(double time) const
+{
+  return time > SETTLING_TIME + WINDOW * static_cast<double>(window_velocities_.size() + 1);
+}
+
+void LifeRecord::endWindow(double time, const Eigen::Vector3d& center_of_mass)
+{
+  window_velocities_.push_back((center_of_mass.y() - window_center_.y()) / (time - window_start_));
+  window_center_ = center_of_mass;
+  window_start_ = time;
+}
+
+Evaluation LifeRecord::evaluation(const SoftBodySettings& settings, const Eigen::Vector3d& center_of_mass,
+                                  uint64_t state_hash) const
+{
+  Evaluation evaluation;
+  if (divergence_)
+  {
+    evaluation.divergence = divergence_;
+    return evaluation;
+  }
+  const Eigen::Vector3d displacement = (center_of_mass - birth_center_) / settings.voxel_size;
+  evaluation.valid = true;
+  evaluation.displacement_y_voxels = displacement.y();
+  evaluation.displacement_xy_voxels =
+      std::sqrt(displacement.x() * displacement.x() + displacement.y() * displacement.y());
+  evaluation.fitness = displacement.y() / settings.grid_y;
+  evaluation.first_top_contact_since_birth_s = first_top_contact_;
+  evaluation.fell_over_since_birth_s = fell_over_;
+  evaluation.turns = turned_ / TWO_PI;
+  evaluation.airborne_fraction =
+      steps_ > 0 ? static_cast<double>(airborne_steps_) / static_cast<double>(steps_) : 0.0;
+  for (const double velocity : window_velocities_)
+  {
+    evaluation.velocity_body_lengths_per_s.push_back(velocity / (settings.voxel_size * settings.grid_y));
+  }
+  evaluation.state_hash = state_hash;
+  return evaluation;
+}
+}  // namespace devo_evo
