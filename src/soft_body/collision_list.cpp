@@ -67,8 +67,7 @@ void CollisionList::list(const double* voxels, int robot)
                            field(voxels, lanes_, pair.voxel_a, POSITION + axis, robot);
       square += apart * apart;
     }
-    const double reach =
-        std::min(HORIZON * voxel_size_, 2.0 * field(voxels, lanes_, pair.voxel_a, SCALE, robot));
+    const double reach = std::min(HORIZON * voxel_size_, 2.0 * field(voxels, lanes_, pair.voxel_a, SCALE, robot));
     pair.robots = square < reach * reach ? pair.robots | bit : pair.robots & ~bit;
   }
 }

@@ -7,7 +7,8 @@
 //   n                orientation of voxel 2 relative to voxel 1                    1       bond frame
 //   u                shortest turn of r' onto the bond's axis                      1       bond frame
 //   d, alpha_1/2     what deforms the bond: displacement, rotations of its ends    m, rad  turned bond frame
-//   F, M_1, M_2      force on voxel 1, moments of both ends                        N, N m  turned bond frame, then world
+//   F, M_1, M_2      force on voxel 1, moments of both ends                        N, N m  turned bond frame, then
+//   world
 //
 // The turned bond frame has its x axis along r (large-angle regime) or along X (small-angle regime).
 #pragma once
@@ -140,14 +141,16 @@ inline Real inverseSquareRoot(Real a)
 template <class Real>
 inline Real sine(Real angle)
 {
-  const Real round = constant<Real>(6755399441055744.0);  // adding 1.5 * 2^52 leaves the nearest integer in the last bits
+  const Real round =
+      constant<Real>(6755399441055744.0);  // adding 1.5 * 2^52 leaves the nearest integer in the last bits
   const Real shifted = multiplyAdd(angle, constant<Real>(0.3183098861837907), round);
   const Real half_turns = shifted - round;
   Real rest = multiplyAdd(-half_turns, constant<Real>(3.141592653589793), angle);
   rest = multiplyAdd(-half_turns, constant<Real>(1.2246467991473532e-16), rest);
   const Real square = rest * rest;
-  const Real series = polynomial(square, -0.16666666666666666, 0.008333333333333316, -0.00019841269841254885, 2.7557319219139183e-06,
-                -2.505210761393476e-08, 1.6058977114074673e-10, -7.643963965925357e-13, 2.731365867494017e-15 );
+  const Real series =
+      polynomial(square, -0.16666666666666666, 0.008333333333333316, -0.00019841269841254885, 2.7557319219139183e-06,
+                 -2.505210761393476e-08, 1.6058977114074673e-10, -7.643963965925357e-13, 2.731365867494017e-15);
   return flipSignWhereOdd(multiplyAdd(rest * square, series, rest), shifted);
 }
 
@@ -155,10 +158,9 @@ inline Real sine(Real angle)
 template <class Real>
 inline Real exactRotationFactor(Real one_minus_w)
 {
-  return polynomial(one_minus_w, 2.0, 0.6666666666666852, 0.26666666666373984, 0.11428571446697104,
-                                   0.05079364500961642, 0.023088131637814254, 0.010654724698679948,
-                                   0.004982773474680468, 0.0022890671466164188, 0.0012786552891562919,
-                                   0.00017931719426897763, 0.0006311574300998297 );
+  return polynomial(one_minus_w, 2.0, 0.6666666666666852, 0.26666666666373984, 0.11428571446697104, 0.05079364500961642,
+                    0.023088131637814254, 0.010654724698679948, 0.004982773474680468, 0.0022890671466164188,
+                    0.0012786552891562919, 0.00017931719426897763, 0.0006311574300998297);
 }
 
 // The same for w < 0.7, with acos(w) = 2 acos(h) for h = sqrt((1 + w) / 2), once or twice.
@@ -174,14 +176,15 @@ inline Real exactRotationFactorOfLargeAngle(Real w)
   return exactRotationFactor(one - select(once_is_enough, once, twice)) / divisor;
 }
 
-// What turns a unit quaternion's vector part into its rotation vector, physics.md 2.2, with the reference's approximation
-// 2 sqrt(2 / (1 + w)) for w > 0.9988, and its 0 for w^2 >= 1.
+// What turns a unit quaternion's vector part into its rotation vector, physics.md 2.2, with the reference's
+// approximation 2 sqrt(2 / (1 + w)) for w > 0.9988, and its 0 for w^2 >= 1.
 template <class Real>
 inline Real rotationFactor(Real w)
 {
   const Real one = constant<Real>(1.0);
   const Real one_minus_w = one - w;
-  const Real approximation = polynomial(one_minus_w, 2.0, 0.4999999999999957, 0.18750000002643719, 0.07812494306622025, 0.0342297237319617 );
+  const Real approximation =
+      polynomial(one_minus_w, 2.0, 0.4999999999999957, 0.18750000002643719, 0.07812494306622025, 0.0342297237319617);
   Real factor = select(constant<Real>(0.9988) < w, approximation, exactRotationFactor(one_minus_w));
   const auto far = w < constant<Real>(0.7);
   if (any(far))
@@ -593,8 +596,8 @@ inline void moveVoxel(const BodyModel& model, const StepClock& clock, bool in_to
 
 // ---- the step ----------------------------------------------------------------------------------------------------
 
-// Collisions of all voxels; then voxel by voxel the bonds to its upper neighbours, after which no force on it is missing
-// and nothing needs its old state any more, and its motion.
+// Collisions of all voxels; then voxel by voxel the bonds to its upper neighbours, after which no force on it is
+// missing and nothing needs its old state any more, and its motion.
 template <class Real>
 void step(const BodyModel& model, const StepClock& clock, BatchState& state)
 {

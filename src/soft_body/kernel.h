@@ -1,6 +1,5 @@
 #pragma once
 
-
 #include <cstdint>
 
 namespace devo_evo
@@ -12,45 +11,45 @@ constexpr int MAX_LANES = 8;
 struct BodyModel
 {
   int voxel_count;
-  int stride[3];                      ///< from a voxel to its upper neighbour along x, y, z
-  const uint8_t* upper_neighbours;    ///< (voxel_count), bit a: has an upper neighbour along axis a
-  const uint8_t* in_top_layer;        ///< (voxel_count), 1 in the top layer
+  int stride[3];                    ///< from a voxel to its upper neighbour along x, y, z
+  const uint8_t* upper_neighbours;  ///< (voxel_count), bit a: has an upper neighbour along axis a
+  const uint8_t* in_top_layer;      ///< (voxel_count), 1 in the top layer
 
   double dt;
-  double nominal_size;                ///< L
-  double inverse_mass;                ///< 1 / m
-  double inverse_inertia;             ///< 1 / I
-  double weight;                      ///< m g
-  double axial_stiffness;             ///< a1 = E A / L
-  double torsion_stiffness;           ///< a2 = G J / L
-  double shear_stiffness;             ///< b1 = 12 E J2 / L^3
-  double coupling_stiffness;          ///< b2 = 6 E J2 / L^2
-  double bending_stiffness;           ///< b3 = 2 E J2 / L
+  double nominal_size;        ///< L
+  double inverse_mass;        ///< 1 / m
+  double inverse_inertia;     ///< 1 / I
+  double weight;              ///< m g
+  double axial_stiffness;     ///< a1 = E A / L
+  double torsion_stiffness;   ///< a2 = G J / L
+  double shear_stiffness;     ///< b1 = 12 E J2 / L^3
+  double coupling_stiffness;  ///< b2 = 6 E J2 / L^2
+  double bending_stiffness;   ///< b3 = 2 E J2 / L
   // Damping ratios times damping constants over dt: they act on changes in one step.
-  double axial_damping;               ///< zeta_b c_a1 / (2 dt)
-  double torsion_damping;             ///< zeta_b c_a2 / (4 dt)
-  double shear_damping;               ///< zeta_b c_b1 / (2 dt)
-  double coupling_damping;            ///< zeta_b c_b2 / (2 dt), of forces
-  double coupling_damping_moment;     ///< zeta_b c_b2 / (4 dt), of moments
-  double bending_damping;             ///< zeta_b c_b3 / (4 dt)
-  double translation_drag;            ///< zeta_g 2 sqrt(m E L)
-  double rotation_decay;              ///< factor on H in every step
-  double floor_stiffness;             ///< 2 E L
-  double floor_damping;               ///< zeta_c 2 sqrt(m E L)
-  double static_friction;             ///< mu_s
-  double dynamic_friction;            ///< mu_d
-  double actuation_amplitude;         ///< A L
+  double axial_damping;            ///< zeta_b c_a1 / (2 dt)
+  double torsion_damping;          ///< zeta_b c_a2 / (4 dt)
+  double shear_damping;            ///< zeta_b c_b1 / (2 dt)
+  double coupling_damping;         ///< zeta_b c_b2 / (2 dt), of forces
+  double coupling_damping_moment;  ///< zeta_b c_b2 / (4 dt), of moments
+  double bending_damping;          ///< zeta_b c_b3 / (4 dt)
+  double translation_drag;         ///< zeta_g 2 sqrt(m E L)
+  double rotation_decay;           ///< factor on H in every step
+  double floor_stiffness;          ///< 2 E L
+  double floor_damping;            ///< zeta_c 2 sqrt(m E L)
+  double static_friction;          ///< mu_s
+  double dynamic_friction;         ///< mu_d
+  double actuation_amplitude;      ///< A L
   bool sideways_bend_test;
 };
 
 /// What changes with time and is the same for all robots of a batch in one step.
 struct StepClock
 {
-  bool first_step;        ///< of the simulation
-  bool born;              ///< whether development and actuation have begun
-  double prenatal_growth; ///< b
-  double life_fraction;   ///< k
-  double cycles;          ///< f t
+  bool first_step;         ///< of the simulation
+  bool born;               ///< whether development and actuation have begun
+  double prenatal_growth;  ///< b
+  double life_fraction;    ///< k
+  double cycles;           ///< f t
 };
 
 /// A pair of voxels that may touch, in the robots whose bit is set.
@@ -64,26 +63,26 @@ struct CollisionPair
 /// Offsets of a voxel's quantities in its state; each stands for one number per lane.
 enum VoxelField : int
 {
-  POSITION = 0,            ///< x, y, z
-  ORIENTATION = 3,         ///< w, x, y, z: body to world
-  MOMENTUM = 7,            ///< x, y, z
-  ANGULAR_MOMENTUM = 10,   ///< x, y, z
-  SCALE = 13,              ///< present resting edge length
-  FORCE = 14,              ///< x, y, z: sum over bonds and collisions within a step
-  MOMENT = 17,             ///< x, y, z: likewise
-  SIZE_AT_BIRTH = 20,      ///< resting length at birth
-  SIZE_CHANGE = 21,        ///< from birth to the end of life
-  PHASE_AT_BIRTH = 22,     ///< [cycles]
-  PHASE_CHANGE = 23,       ///< [cycles]
+  POSITION = 0,           ///< x, y, z
+  ORIENTATION = 3,        ///< w, x, y, z: body to world
+  MOMENTUM = 7,           ///< x, y, z
+  ANGULAR_MOMENTUM = 10,  ///< x, y, z
+  SCALE = 13,             ///< present resting edge length
+  FORCE = 14,             ///< x, y, z: sum over bonds and collisions within a step
+  MOMENT = 17,            ///< x, y, z: likewise
+  SIZE_AT_BIRTH = 20,     ///< resting length at birth
+  SIZE_CHANGE = 21,       ///< from birth to the end of life
+  PHASE_AT_BIRTH = 22,    ///< [cycles]
+  PHASE_CHANGE = 23,      ///< [cycles]
   VOXEL_FIELDS = 24
 };
 
 /// Offsets of what a bond remembers from the last step that was not a switch step.
 enum BondField : int
 {
-  DISPLACEMENT = 0,        ///< d: x, y, z
-  ANGLE_1 = 3,             ///< alpha_1: y, z (its x is always 0)
-  ANGLE_2 = 5,             ///< alpha_2: x, y, z
+  DISPLACEMENT = 0,  ///< d: x, y, z
+  ANGLE_1 = 3,       ///< alpha_1: y, z (its x is always 0)
+  ANGLE_2 = 5,       ///< alpha_2: x, y, z
   BOND_FIELDS = 8
 };
 
@@ -99,12 +98,12 @@ struct BatchState
   int collision_pair_count;
 
   // What a step reports, one entry per lane.
-  double max_speed_squared[MAX_LANES];   ///< of the fastest voxel [m^2/s^2]
-  double top_contacts[MAX_LANES];        ///< number of top-layer voxels on the floor
-  double other_contacts[MAX_LANES];      ///< number of other voxels on the floor
-  uint32_t diverged;                     ///< bit l: lane l has a bond with a strain that is not at most 100
-  int diverged_bond[MAX_LANES];          ///< the lowest such bond
-  double diverged_strain[MAX_LANES];     ///< and its strain
+  double max_speed_squared[MAX_LANES];  ///< of the fastest voxel [m^2/s^2]
+  double top_contacts[MAX_LANES];       ///< number of top-layer voxels on the floor
+  double other_contacts[MAX_LANES];     ///< number of other voxels on the floor
+  uint32_t diverged;                    ///< bit l: lane l has a bond with a strain that is not at most 100
+  int diverged_bond[MAX_LANES];         ///< the lowest such bond
+  double diverged_strain[MAX_LANES];    ///< and its strain
 };
 
 /// The kernel for one instruction set.

@@ -2,17 +2,19 @@
 
 #include "kernel-inl.h"
 
+#include <cmath>
+
 namespace devo_evo
 {
 namespace
 {
 constexpr double TWO_PI = 6.283185307179586;
 
-// Rotation vector about x of a turn by less than 90 degrees [rad].
-double rotationAboutX(const Eigen::Quaterniond& turn)
+// How far a turn by less than 90 degrees rolls the body forwards, towards +y: about -x [rad].
+double forwardRotation(const Eigen::Quaterniond& turn)
 {
   const double sign = turn.w() < 0.0 ? -1.0 : 1.0;
-  return sign * turn.x() * exactRotationFactor(1.0 - sign * turn.w());
+  return -sign * turn.x() * exactRotationFactor(1.0 - sign * turn.w());
 }
 }  // namespace
 
@@ -43,7 +45,7 @@ void LifeRecord::recordContacts(double time, int top_contacts, int other_contact
 
 void LifeRecord::recordOrientation(const Eigen::Quaterniond& orientation)
 {
-  turned_ += rotationAboutX(orientation * orientation_.conjugate());
+  turned_ += forwardRotation(orientation * orientation_.conjugate());
   orientation_ = orientation;
 }
 
@@ -77,8 +79,7 @@ Evaluation LifeRecord::evaluation(const SoftBodySettings& settings, const Eigen:
   evaluation.first_top_contact_since_birth_s = first_top_contact_;
   evaluation.fell_over_since_birth_s = fell_over_;
   evaluation.turns = turned_ / TWO_PI;
-  evaluation.airborne_fraction =
-      steps_ > 0 ? static_cast<double>(airborne_steps_) / static_cast<double>(steps_) : 0.0;
+  evaluation.airborne_fraction = steps_ > 0 ? static_cast<double>(airborne_steps_) / static_cast<double>(steps_) : 0.0;
   for (const double velocity : window_velocities_)
   {
     evaluation.velocity_body_lengths_per_s.push_back(velocity / (settings.voxel_size * settings.grid_y));

@@ -1,6 +1,7 @@
-// Number types for the kernel: double for one robot, packs of doubles for several in lock-step, with the same operations.
-// Every operation is an IEEE-754 one or works on bits, so results are the same in each type. All intrinsics stand here.
-// Included once by each kernel_*.cpp; internal linkage keeps code for one instruction set out of the others' objects.
+// Number types for the kernel: double for one robot, packs of doubles for several in lock-step, with the same
+// operations. Every operation is an IEEE-754 one or works on bits, so results are the same in each type. All intrinsics
+// stand here. Included once by each kernel_*.cpp; internal linkage keeps code for one instruction set out of the
+// others' objects.
 #pragma once
 
 #include <cmath>

@@ -7,7 +7,8 @@
 #include "state_hash.h"
 
 #include <algorithm>
-#include <cstdlib>
+#include <array>
+#include <cmath>
 #include <new>
 
 namespace devo_evo
@@ -18,8 +19,7 @@ namespace
 class AlignedArray
 {
 public:
-  explicit AlignedArray(size_t size)
-    : values_(static_cast<double*>(::operator new(size * sizeof(double), ALIGNMENT)))
+  explicit AlignedArray(size_t size) : values_(static_cast<double*>(::operator new(size * sizeof(double), ALIGNMENT)))
   {
     std::fill_n(values_, size, 0.0);
   }
@@ -136,8 +136,8 @@ public:
   {
     const StepClock now = clock();
     const double at_birth = at(robot, voxel, SIZE_AT_BIRTH);
-    return now.born ? at_birth + now.life_fraction * at(robot, voxel, SIZE_CHANGE) :
-                      settings_.voxel_size + now.prenatal_growth * (at_birth - settings_.voxel_size);
+    return now.born ? at_birth + now.life_fraction * at(robot, voxel, SIZE_CHANGE)
+                    : settings_.voxel_size + now.prenatal_growth * (at_birth - settings_.voxel_size);
   }
 
   Evaluation evaluation(int robot) const override
@@ -179,7 +179,6 @@ private:
     for (int voxel = 0; voxel < lattice_.voxelCount(); ++voxel)
     {
       const size_t i = static_cast<size_t>(voxel);
-      std::fill_n(&at(lane, voxel, 0), 0, 0.0);
       const std::array<int, 3> place = lattice_.coordinates(voxel);
       for (int axis = 0; axis < 3; ++axis)
       {

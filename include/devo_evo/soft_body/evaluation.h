@@ -38,7 +38,8 @@ struct Evaluation
   std::optional<double>
       fell_over_since_birth_s;  ///< first time that more top voxels touch than others [s]; none: never
 
-  double turns = NONE;  ///< accumulated rotation about the lateral axis x [full turns, right-handed about +x]
+  double turns =
+      NONE;  ///< accumulated rotation about the lateral axis x [full turns]; positive: rolling forwards, towards +y
   double airborne_fraction = NONE;  ///< share of the lifetime in which no voxel touches the floor [1]
 
   std::vector<double> velocity_body_lengths_per_s;  ///< mean velocity along +y per window of 0.5 s [body lengths / s]
