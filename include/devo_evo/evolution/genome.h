@@ -46,6 +46,8 @@ struct MutationRecord
 };
 
 /// A child: a copy of the parent with mutation rates and then traits mutated (docs/evolution.md; paper, Methods).
+/// @param parent valid for the settings and the lattice.
+/// @param record if given, told what was done.
 Genome mutate(const Genome& parent, const EvolutionSettings& settings, const Lattice& lattice, RandomStream& random,
               MutationRecord* record = nullptr);
 
@@ -56,8 +58,10 @@ Genome mutate(const Genome& parent, const EvolutionSettings& settings, const Lat
 Genome bornGenome(const EvolutionSettings& settings, const Lattice& lattice, int64_t trial, int64_t generation,
                   int64_t id, const Genome* parent);
 
-/// @throw InvalidInput as validate(DevelopmentalProgram), also if a phase exceeds the profile's limit, if final values
-///        differ from initial ones without development, or if the mutation rates do not fit the settings.
+/// Whether the genome fits the body and could evolve under these settings.
+/// @throw InvalidInput as validate(DevelopmentalProgram), also if a phase exceeds the profile's limit, sizes are not
+///        mirrored, final values differ from initial ones without development, or mutation rates are missing, out of
+///        range or not to be there.
 void validate(const Genome& genome, const EvolutionSettings& settings, const SoftBodySettings& body);
 
 /// 128-bit hashes: first half of SHA-256 over the arrays, each its length as a 64-bit integer and then its values, all
