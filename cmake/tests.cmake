@@ -1,7 +1,12 @@
-# Unit tests by GoogleTest, one executable per file of test/<module>/test_*.cpp; rostests by test/rostest/CMakeLists.txt.
+# All tests run under one ctest. `tests` builds them: cmake --build build --target all tests.
+enable_testing()
+if(NOT TARGET tests) # catkin has made it already
+  add_custom_target(tests)
+endif()
+
+# ---- unit tests: one executable per file of test/<module>/test_*.cpp ---------------------------------------------
 find_package(GTest REQUIRED)
 include(GoogleTest)
-enable_testing()
 
 file(GLOB unit_tests CONFIGURE_DEPENDS test/soft_body/test_*.cpp test/evolution/test_*.cpp test/archive/test_*.cpp
   test/farm/test_*.cpp test/experiment/test_*.cpp test/cli/test_*.cpp)
@@ -17,8 +22,22 @@ foreach(source ${unit_tests})
     SQLiteCpp SQLite::SQLite3 OpenSSL::Crypto)
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/test)
   gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)
+  add_dependencies(tests ${name})
 endforeach()
 
+# ---- tests of the repository itself ------------------------------------------------------------------------------
+find_program(PYTHON3 python3 PATHS /usr/bin NO_DEFAULT_PATH)
+file(GLOB repository_tests CONFIGURE_DEPENDS test/repository/test_*.py)
+if(PYTHON3)
+  foreach(source ${repository_tests})
+    get_filename_component(name ${source} NAME_WE)
+    string(REPLACE test_ repository. name ${name})
+    add_test(NAME ${name} COMMAND ${PYTHON3} ${source})
+  endforeach()
+endif()
+
+# ---- with ROS ----------------------------------------------------------------------------------------------------
 if(DEVO_EVO_ROS)
+  add_test(NAME repository.catkin_lint COMMAND catkin_lint --offline --strict ${CMAKE_CURRENT_SOURCE_DIR})
   add_subdirectory(test/rostest)
 endif()

@@ -1,0 +1,128 @@
+#!/usr/bin/env bash
+# Installs what is missing, builds, and runs an experiment: ./run.sh --help.
+set -euo pipefail
+
+repository=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+export BUILD_DIR=${BUILD_DIR:-$repository/build}
+
+usage()
+{
+  cat <<'END'
+Usage: ./run.sh [argument:=value ...]
+
+Installs the Debian packages that are missing, builds, and runs an experiment by
+    roslaunch devo_evo experiment.launch [argument:=value ...]
+on a ROS master of its own, which only this machine can reach. Ctrl-C stops it;
+the same command goes on where it stopped.
+
+Arguments and their defaults:
+    treatment:=evo_devo            evo | evo_devo
+    profile:=paper                 paper | released_code
+    trials:=1                      independent trials, side by side
+    generations:=20                generations after the founders
+    population:=30                 robots that survive a generation
+    seed:=1                        of all randomness
+    mutation_rate:=self_adaptive   self_adaptive | a number from 0 to 1
+    lifetime:=10                   seconds from birth to the end
+    grid:=4x4x3                    voxels along x, y and z
+    simulators:=0                  simulator processes; 0: one a core
+    output:=output                 folder of the results, relative to here
+README.md and docs/parameters.md say more.
+
+Exit status: 0 if the experiment finished or was told to stop, 2 for a wrong
+argument, 130 after Ctrl-C, 143 after SIGTERM, anything else if it failed.
+
+To use a ROS master that is up already, source build/devel/setup.bash and call
+roslaunch yourself.
+END
+}
+
+fail()
+{
+  echo "run.sh: $*" >&2
+  exit 2
+}
+
+# Sets `arguments` to those of roslaunch. It would take a relative folder from ~/.ros, so that is made absolute.
+read_arguments()
+{
+  arguments=()
+  for argument in "$@"; do
+    case "$argument" in
+      -h | --help) usage; exit 0 ;;
+      output:=[!/]*) arguments+=("output:=$PWD/${argument#output:=}") ;;
+      [a-z]*:=*) arguments+=("$argument") ;;
+      *) fail "'$argument' is not argument:=value; ./run.sh --help lists the arguments" ;;
+    esac
+  done
+}
+
+# Sets `port` to one that no ROS master uses. The lock, held while we and our nodes live, keeps another run.sh off it.
+choose_port()
+{
+  for port in {11311..11410}; do
+    exec {port_lock}>"$BUILD_DIR/.port-$port"
+    if flock --nonblock "$port_lock" && ! (exec 3<>"/dev/tcp/127.0.0.1/$port") 2>/dev/null; then
+      return
+    fi
+    exec {port_lock}>&-
+  done
+  fail "the ports from 11311 to 11410, of which the ROS master needs one, are all in use"
+}
+
+# Runs roslaunch, passes signals on to it once each, and waits until it has stopped its nodes.
+launch()
+{
+  local interrupted=0 launched=0
+  set -m # a process group of its own, so that Ctrl-C reaches it through the trap alone
+  roslaunch --port "$port" --no-summary --disable-title devo_evo experiment.launch "${arguments[@]}" </dev/null &
+  local child=$!
+  set +m
+  trap 'interrupted=130; kill -INT $child 2>/dev/null || true' INT
+  trap 'interrupted=143; kill -INT $child 2>/dev/null || true' TERM
+  trap 'interrupted=129; kill -INT $child 2>/dev/null || true' HUP
+  wait "$child" || launched=$?
+  while kill -0 "$child" 2>/dev/null; do # a signal has ended the wait
+    launched=0
+    wait "$child" || launched=$?
+  done
+  trap - INT TERM HUP
+
+  # roslaunch tells of its own errors only, so the evolver leaves its exit status in a file.
+  local status
+  read -r status <"$DEVO_EVO_STATUS_FILE" || status=""
+  if [ "$interrupted" != 0 ]; then
+    return "$interrupted"
+  elif [ "$launched" != 0 ]; then
+    return "$launched"
+  elif [ -z "$status" ]; then
+    echo "run.sh: the evolver ended without a word; what was committed is safe, the same command goes on from there" >&2
+    return 1
+  fi
+  return "$status"
+}
+
+read_arguments "$@"
+"$repository/scripts/install_packages"
+"$repository/scripts/build"
+
+# Nodes talk to each other on this machine only, also where its host name does not resolve.
+export ROS_HOSTNAME=localhost
+unset ROS_IP
+choose_port
+export ROS_MASTER_URI=http://localhost:$port
+if [ "$port" != 11311 ]; then
+  echo "run.sh: port 11311 is in use; to look on from another terminal, export ROS_MASTER_URI=$ROS_MASTER_URI"
+fi
+if [ ! -w "${HOME:-/nonexistent}" ]; then
+  export ROS_HOME=$BUILD_DIR/ros # where roslaunch writes its logs
+fi
+set +u # catkin's set-up reads variables that need not be set
+# shellcheck source=/dev/null
+source "$BUILD_DIR/devel/setup.bash"
+set -u
+
+DEVO_EVO_STATUS_FILE=$(mktemp)
+export DEVO_EVO_STATUS_FILE
+trap 'rm -f "$DEVO_EVO_STATUS_FILE"' EXIT
+launch
