@@ -2,6 +2,7 @@
 
 #include "devo_evo/evolution/random.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -11,20 +12,21 @@ namespace devo_evo
 struct Candidate
 {
   int64_t id = 0;
-  int64_t age = 0;
+  int64_t age = 0;       ///< [generations]
   bool valid = false;    ///< false: below every valid one in every ranking
-  double fitness = 0.0;  ///< [body lengths]; ignored unless valid
+  double fitness = 0.0;  ///< [body lengths], not NaN; ignored unless valid
 };
 
 /// A candidate's place in the ranking.
 struct Ranked
 {
-  size_t index;    ///< into the candidates given
-  int dominators;  ///< its level: how many candidates dominate it
+  size_t index;  ///< into the candidates given
+  size_t level;  ///< how many candidates dominate it; for an invalid one, added to the number of candidates
 };
 
 /// Whether `a` is dominated by `b` (docs/evolution.md, "Selection"): `a` is strictly better in neither fitness nor age;
-/// of full ties the newer, with the higher id, dominates the older.
+/// of full ties the newer, with the higher id, dominates the older. Invalid candidates are equally fit, and less than
+/// others.
 bool isDominatedBy(const Candidate& a, const Candidate& b);
 
 /// All candidates by level, then fitness (falling), then age (rising), then id (falling).

@@ -40,6 +40,7 @@ public:
   /// Goes on after generation `generation` was selected and recorded: the next call is breed().
   /// @param survivors evaluated, in the order of GenerationRecord::survivors, with their ages in that generation.
   /// @param next_id   the lowest id never given.
+  /// @throw std::invalid_argument if there are no survivors, one has no evaluation, or one's id is not below next_id.
   Trial(const EvolutionSettings& settings, const Lattice& lattice, int64_t number, int64_t generation,
         std::vector<Individual> survivors, int64_t next_id);
 
@@ -51,12 +52,14 @@ public:
   const std::vector<Individual>& individuals() const { return individuals_; }
 
   /// @throw std::out_of_range if nobody alive has this id.
-  const Individual& individual(int64_t id) const;
+  const Individual& individual(int64_t id) const { return individuals_[indexOf(id)]; }
 
   /// Ids of those without an evaluation, ascending.
   std::vector<int64_t> awaiting() const;
 
-  /// @throw std::out_of_range if nobody alive has this id; std::logic_error if it has another evaluation already.
+  /// The same evaluation may come twice.
+  /// @throw std::out_of_range if nobody alive has this id; std::logic_error if it has another evaluation already;
+  ///        InvalidInput if a valid evaluation has no finite fitness.
   void setEvaluation(int64_t id, const Evaluation& evaluation);
 
   /// Reduces everybody to the next population. @throw std::logic_error unless awaiting() is empty and this generation
@@ -68,7 +71,10 @@ public:
   void breed();
 
 private:
-  Individual newIndividual();
+  size_t indexOf(int64_t id) const;
+
+  /// Lets the individual with the next id join.
+  void addNewborn(const Individual* parent);
 
   EvolutionSettings settings_;
   Lattice lattice_;
