@@ -12,21 +12,23 @@
 
 namespace devo_evo
 {
-/// Thrown when the archive cannot be written or read; says which file, why, and what would help. The archive stays valid.
+/// Thrown when the archive cannot be written or read; says which file, why, and what would help. The archive stays
+/// valid.
 class ArchiveError : public std::runtime_error
 {
 public:
   using std::runtime_error::runtime_error;
 };
 
-/// Where results were made, for provenance; never part of a digest.
+/// Where results are made; noted at each start, never part of a digest.
 struct Provenance
 {
-  std::string version;          ///< of devo_evo, with the commit if known
+  std::string version;  ///< of devo_evo, with the commit if known
   std::string compiler;
   std::string processor;
   std::string instruction_set;
   std::string host;
+  uint64_t engine_fingerprint = 0;  ///< engineFingerprint() of the kernel; 0: not known
 };
 
 /// Where to go on with a trial: the arguments of Trial's second constructor.
@@ -37,31 +39,35 @@ struct TrialState
   int64_t next_id = 0;
 };
 
-/// One individual as the archive knows it.
+/// One individual as the archive knows it. Velocity windows are not archived (they can be simulated again): evaluations
+/// that come from an archive have none.
 struct ArchivedIndividual
 {
-  Individual individual;       ///< age: at birth; genome: empty arrays unless has_genome
-  bool has_genome = false;     ///< whether the genome was kept or could be had again by replaying mutations
+  Individual individual;           ///< age: at birth; genome: empty arrays unless has_genome
+  bool has_genome = false;         ///< whether the genome was kept, or replaying mutations gave one of the right hash
   double morphology_window = 0.0;  ///< W_L
   double control_window = 0.0;     ///< W_Phi
 };
 
-/// An experiment's record: one SQLite file, `experiment.db` in the output folder, one transaction per generation. Schema
-/// and example queries: docs/archive.md. Many may read while one writes; a second writer is refused.
-/// Not thread-safe: one object per thread.
+/// An experiment's record: one SQLite file, `experiment.db` in the output folder, one transaction per generation.
+/// Schema and example queries: docs/archive.md. Many may read while one writes; a second writer is refused. Not
+/// thread-safe: one object per thread.
 class Archive
 {
 public:
   virtual ~Archive() = default;
 
   /// Everything about a finished generation, in one transaction that survives a crash once this returns.
-  /// @throw ArchiveError if it cannot be written (disk full, file gone); nothing of the generation is kept then.
+  /// @throw ArchiveError if it cannot be written (disk full, file locked); nothing of the generation is kept then, and
+  /// it
+  ///        may be committed again. std::logic_error if it is not the one after the trial's last, if a newcomer lacks
+  ///        its evaluation, or if the archive was opened for reading.
   virtual void commitGeneration(const GenerationRecord& record) = 0;
 
-  /// The evaluation of an individual with this phenotype, if there has been one in any trial.
+  /// The evaluation (without velocity windows) of an individual with this phenotype, if one was committed in any trial.
   virtual std::optional<Evaluation> findEvaluation(const Hash128& phenotype_hash) const = 0;
 
-  /// The last committed generation of each trial that has one.
+  /// The last committed generation of each trial that has one. Survivors have the ages they had in that generation.
   virtual std::map<int64_t, TrialState> trialStates() const = 0;
 
   /// @throw InvalidInput if there is no such individual.
@@ -76,9 +82,11 @@ public:
   /// Numbers of the trials with at least one committed generation, ascending.
   virtual std::vector<int64_t> trials() const = 0;
 
+  /// Of the experiment; trials and generations as the last start asked for, or as committed if that is more.
   virtual ExperimentSettings settings() const = 0;
 
-  /// SHA-256, 64 hexadecimal digits, over all that evolution decided (docs/archive.md, "Digest"): equal for equal evolution.
+  /// SHA-256, 64 hexadecimal digits, over all that evolution decided (docs/archive.md, "Digest"): equal for equal
+  /// evolution.
   virtual std::string digest() const = 0;
 };
 
@@ -86,12 +94,18 @@ public:
 std::string archivePath(const std::string& output);
 
 /// Opens the archive in settings.output for writing; makes folder and archive if there is none.
-/// An existing one is resumed if body, arm, population, seed, lifetime and physics agree (trials and generations may grow).
-/// @throw ArchiveError if they differ (naming each difference), if another evolver writes to it, if the folder lies on a
-///        network file system or cannot be written.
-std::unique_ptr<Archive> openArchiveForWriting(const ExperimentSettings& settings, const Provenance& provenance);
+/// An existing one is resumed if every parameter of body, physics and evolution agrees. Trials and generations may
+/// grow, and may shrink: what is beyond them stays, and is not continued.
+/// @param maximum_size beyond which the file does not grow, as if the disk were full then [bytes]; 0: no limit.
+/// @throw ArchiveError if parameters differ (naming each difference), if the engine fingerprint differs, if another
+/// process
+///        writes to it (naming that), if the folder lies on a network file system or cannot be written, or if there is
+///        an experiment.db that is damaged, not ours, or of a newer version. The file stays as it was then.
+std::unique_ptr<Archive> openArchiveForWriting(const ExperimentSettings& settings, const Provenance& provenance,
+                                               int64_t maximum_size = 0);
 
-/// Opens an existing archive for reading, also while an evolver writes to it.
-/// @throw ArchiveError if there is none, or it is not one of ours.
+/// Opens an existing archive for reading, also while an evolver writes to it, after one was killed, and in a folder
+/// that must not be written.
+/// @throw ArchiveError if there is none, or if it is damaged, not ours, or of a newer version.
 std::unique_ptr<Archive> openArchiveForReading(const std::string& output);
 }  // namespace devo_evo

@@ -1,0 +1,83 @@
+#include "devo_evo/archive/archive.h"
+
+#include "archive/output_folder.h"
+#include "archive/schema.h"
+#include "archive/settings_table.h"
+#include "archive/sqlite_archive.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace devo_evo
+{
+namespace
+{
+/// The extent to note: what is asked for, but no less than what there is.
+ExperimentSettings extendedByCommitted(Connection& connection, ExperimentSettings settings)
+{
+  Query query = connection.query("SELECT max(trial), max(generation) FROM generations");
+  query.next();
+  settings.trials = std::max(settings.trials, query.optionalInteger().value_or(0));
+  settings.generations = std::max(settings.generations, query.optionalInteger().value_or(0));
+  return settings;
+}
+
+/// Begins or resumes the experiment, in one transaction: a file never holds a part of this.
+void begin(Connection& connection, const ExperimentSettings& settings, const Provenance& provenance)
+{
+  SQLite::Transaction transaction(connection.database(), SQLite::TransactionBehavior::IMMEDIATE);
+  if (!createSchema(connection))
+  {
+    checkResumable(connection, settings);
+  }
+  writeSettings(connection, extendedByCommitted(connection, settings));
+  recordStart(connection, provenance);
+  transaction.commit();
+}
+
+std::string absolutePath(const std::string& output)
+{
+  return std::filesystem::absolute(output).string();
+}
+}  // namespace
+
+std::string archivePath(const std::string& output)
+{
+  return output + "/experiment.db";
+}
+
+std::unique_ptr<Archive> openArchiveForWriting(const ExperimentSettings& settings, const Provenance& provenance,
+                                               int64_t maximum_size)
+{
+  const std::string output = absolutePath(settings.output);
+  const std::string network = networkFileSystem(output);
+  if (!network.empty())
+  {
+    throw ArchiveError("output folder " + output + " lies on a network file system (" + network +
+                       "), on which an archive is not safe; choose a folder on a local disk and copy it when finished");
+  }
+  makeOutputFolder(output);
+  auto lock = std::make_unique<WriterLock>(output);
+  const std::string path = archivePath(output);
+  return guarded(path,
+                 [&]
+                 {
+                   Connection connection = connectForWriting(path, maximum_size);
+                   begin(connection, settings, provenance);
+                   return std::make_unique<SqliteArchive>(output, std::move(connection), std::move(lock));
+                 });
+}
+
+std::unique_ptr<Archive> openArchiveForReading(const std::string& output)
+{
+  const std::string folder = absolutePath(output);
+  const std::string path = archivePath(folder);
+  return guarded(path,
+                 [&]
+                 {
+                   Connection connection = connectForReading(path);
+                   checkSchema(connection, path);
+                   return std::make_unique<SqliteArchive>(folder, std::move(connection), nullptr);
+                 });
+}
+}  // namespace devo_evo

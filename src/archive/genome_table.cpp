@@ -1,0 +1,149 @@
+#include "archive/genome_table.h"
+
+#include "archive/bytes.h"
+#include "archive/individual_table.h"
+
+#include <algorithm>
+
+namespace devo_evo
+{
+namespace
+{
+/// The array as it is stored, or none if it equals the one it develops from.
+std::optional<Blob> unlessEqual(const std::vector<double>& final_values, const Blob& initial_values)
+{
+  Blob bytes = numbersToBytes(final_values);
+  return bytes == initial_values ? std::nullopt : std::optional<Blob>(std::move(bytes));
+}
+
+/// What a lineage knows of one individual before genomes are made again.
+struct Ancestor
+{
+  IndividualRow row;
+  std::optional<Genome> stored;
+};
+
+/// From the individual to its oldest ancestor, or to the first whose genome is stored.
+std::vector<Ancestor> collectAncestors(Connection& connection, int voxel_count, int64_t trial, int64_t id,
+                                       bool all_ancestors)
+{
+  std::vector<Ancestor> ancestors;
+  auto row = findIndividual(connection, trial, id);
+  while (row)
+  {
+    ancestors.push_back({ *row, findGenome(connection, trial, row->archived.individual.id, voxel_count) });
+    const int64_t parent = row->archived.individual.parent;
+    if (parent == Individual::NO_PARENT || (ancestors.back().stored && !all_ancestors))
+    {
+      break;
+    }
+    row = readIndividualRow(connection, trial, parent);
+  }
+  return ancestors;
+}
+
+/// Gives an individual the genome that is stored, or else the one that its birth gives again.
+/// @param parent nullptr if it has none; without genome if that is not known.
+void setGenome(ArchivedIndividual& archived, const Ancestor& ancestor, const ArchivedIndividual* parent,
+               const EvolutionSettings& settings, const Lattice& lattice)
+{
+  Individual& individual = archived.individual;
+  if (ancestor.stored)
+  {
+    individual.genome = *ancestor.stored;
+  }
+  else if (!parent || parent->has_genome)
+  {
+    individual.genome = bornGenome(settings, lattice, individual.trial, individual.generation, individual.id,
+                                   parent ? &parent->individual.genome : nullptr);
+  }
+  archived.has_genome = genomeHash(individual.genome) == ancestor.row.genome_hash;
+  if (!archived.has_genome && ancestor.stored)
+  {
+    throw DamagedArchive("the genome of individual " + individualName(individual.trial, individual.id) +
+                         " does not have the hash it had when it was born");
+  }
+  if (!archived.has_genome)
+  {
+    individual.genome = Genome();
+  }
+}
+}  // namespace
+
+void insertGenome(Connection& connection, const Individual& individual)
+{
+  const DevelopmentalProgram& program = individual.genome.program;
+  const Blob size_gene_initial = numbersToBytes(program.size_gene_initial);
+  const Blob phase_initial = numbersToBytes(program.phase_initial);
+  const auto& rates = individual.genome.mutation_rate;
+  connection
+      .query(
+          "INSERT INTO genomes (trial, id, parent, size_gene_initial, size_gene_final, phase_initial, phase_final, "
+          "mutation_rate) VALUES (?, ?, ?, ?, ?, ?, ?, ?)",
+          individual.trial, individual.id,
+          individual.parent == Individual::NO_PARENT ? std::nullopt : std::optional<int64_t>(individual.parent),
+          size_gene_initial, unlessEqual(program.size_gene_final, size_gene_initial), phase_initial,
+          unlessEqual(program.phase_final, phase_initial),
+          rates.empty() ? std::nullopt : std::optional<Blob>(numbersToBytes(rates)))
+      .run();
+}
+
+std::optional<Genome> findGenome(Connection& connection, int64_t trial, int64_t id, int voxel_count)
+{
+  Query query = connection.query(
+      "SELECT size_gene_initial, size_gene_final, phase_initial, phase_final, mutation_rate "
+      "FROM genomes WHERE trial = ? AND id = ?",
+      trial, id);
+  if (!query.next())
+  {
+    return std::nullopt;
+  }
+  const size_t size = sizeof(double) * static_cast<size_t>(voxel_count);
+  Genome genome;
+  DevelopmentalProgram& program = genome.program;
+  const Blob size_gene_initial = query.blob(size);
+  program.size_gene_initial = numbersFromBytes(size_gene_initial);
+  program.size_gene_final = numbersFromBytes(query.optionalBlob(size).value_or(size_gene_initial));
+  const Blob phase_initial = query.blob(size);
+  program.phase_initial = numbersFromBytes(phase_initial);
+  program.phase_final = numbersFromBytes(query.optionalBlob(size).value_or(phase_initial));
+  genome.mutation_rate = numbersFromBytes(query.optionalBlob(size).value_or(Blob()));
+  return genome;
+}
+
+void pruneGenomes(Connection& connection, int64_t trial, const std::vector<int64_t>& dead,
+                  const std::set<int64_t>& living)
+{
+  for (std::optional<int64_t> id : dead)
+  {
+    while (id && living.count(*id) == 0 &&
+           !connection.query("SELECT 1 FROM genomes WHERE trial = ? AND parent = ? LIMIT 1", trial, *id).next())
+    {
+      std::optional<int64_t> parent;
+      {
+        Query query = connection.query("SELECT parent FROM genomes WHERE trial = ? AND id = ?", trial, *id);
+        parent = query.next() ? query.optionalInteger() : std::nullopt;
+      }
+      connection.query("DELETE FROM genomes WHERE trial = ? AND id = ?", trial, *id).run();
+      id = parent;
+    }
+  }
+}
+
+std::vector<ArchivedIndividual> readDescent(Connection& connection, const EvolutionSettings& settings,
+                                            const Lattice& lattice, int64_t trial, int64_t id, bool all_ancestors)
+{
+  std::vector<Ancestor> ancestors = collectAncestors(connection, lattice.voxelCount(), trial, id, all_ancestors);
+  std::reverse(ancestors.begin(), ancestors.end());
+  std::vector<ArchivedIndividual> descent;
+  descent.reserve(ancestors.size());
+  for (const Ancestor& ancestor : ancestors)
+  {
+    const ArchivedIndividual* parent = descent.empty() ? nullptr : &descent.back();
+    ArchivedIndividual archived = ancestor.row.archived;
+    setGenome(archived, ancestor, parent, settings, lattice);
+    descent.push_back(std::move(archived));
+  }
+  return descent;
+}
+}  // namespace devo_evo

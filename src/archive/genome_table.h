@@ -1,0 +1,27 @@
+#pragma once
+
+#include "archive/connection.h"
+#include "devo_evo/soft_body/lattice.h"
+
+#include <optional>
+#include <set>
+#include <vector>
+
+namespace devo_evo
+{
+void insertGenome(Connection& connection, const Individual& individual);
+
+/// @return none if it is not stored. @throw DamagedArchive if its arrays do not fit a body of `voxel_count` voxels.
+std::optional<Genome> findGenome(Connection& connection, int64_t trial, int64_t id, int voxel_count);
+
+/// Deletes the genomes of the dead, and of those of their ancestors who have no living descendant any more.
+void pruneGenomes(Connection& connection, int64_t trial, const std::vector<int64_t>& dead,
+                  const std::set<int64_t>& living);
+
+/// An individual with genome, after its nearest ancestors: as many as it takes to know the genome, or all.
+/// The genome of a dead branch is made again from its parent's, since birth is a pure function; has_genome is false if
+/// what was made does not have the hash it should have, as with another version of devo_evo.
+/// @return oldest first; none if there is no such individual.
+std::vector<ArchivedIndividual> readDescent(Connection& connection, const EvolutionSettings& settings,
+                                            const Lattice& lattice, int64_t trial, int64_t id, bool all_ancestors);
+}  // namespace devo_evo

@@ -1,0 +1,220 @@
+#include "archive/schema.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace devo_evo
+{
+namespace
+{
+constexpr int BUSY_TIMEOUT_MS = 10000;
+constexpr int64_t PAGE_SIZE = 4096;  // [bytes]
+
+// Comments stay in the file: `.schema` shows them. Not STRICT, so that SQLite from before 3.37 reads it too.
+const char* const SCHEMA = R"(
+CREATE TABLE parameters (  -- of the experiment (docs/parameters.md)
+  name  TEXT NOT NULL PRIMARY KEY,
+  value TEXT NOT NULL,  -- as one would write it; numbers read back as the same number
+  unit  TEXT NOT NULL   -- '' if it has none
+) WITHOUT ROWID;
+
+CREATE TABLE starts (  -- each time that an evolver opened this archive: where results were made
+  number             INTEGER PRIMARY KEY,  -- counts up from 1
+  time_utc           TEXT NOT NULL,        -- 2018-04-17T12:34:56Z
+  version            TEXT NOT NULL,        -- of devo_evo
+  compiler           TEXT NOT NULL,
+  processor          TEXT NOT NULL,
+  instruction_set    TEXT NOT NULL,
+  host               TEXT NOT NULL,
+  engine_fingerprint BLOB                  -- 8 bytes; equal for engines that give equal results; NULL: not known
+);
+
+CREATE TABLE individuals (  -- everybody who ever lived
+  trial             INTEGER NOT NULL,
+  id                INTEGER NOT NULL,  -- counts up from 0 within the trial, in order of birth
+  parent            INTEGER,           -- id; NULL: random
+  generation        INTEGER NOT NULL,  -- of birth
+  age               INTEGER NOT NULL,  -- at birth: generations since the oldest ancestor was random
+  valid             INTEGER NOT NULL CHECK (valid IN (0, 1)),  -- 0: the simulation diverged, and has no results
+  fitness                        REAL CHECK ((fitness IS NOT NULL) = valid),  -- displacement along +y [body lengths]
+  displacement_y_voxels          REAL,  -- the same [voxels]
+  displacement_xy_voxels         REAL,  -- distance in the horizontal plane [voxels]
+  first_top_contact_since_birth_s REAL, -- first touch of the floor by the top layer [s]; NULL: never
+  fell_over_since_birth_s        REAL,  -- first time that more top voxels touch than others [s]; NULL: never
+  turns                          REAL,  -- about the lateral axis +x [full turns]
+  airborne_fraction              REAL,  -- share of the lifetime without touching the floor [1]
+  morphology_window              REAL NOT NULL,  -- W_L [1, 0 to 1]
+  control_window                 REAL NOT NULL,  -- W_Phi [1, 0 to 1]
+  divergence_step   INTEGER,  -- at which it was found, from 1; NULL if valid
+  divergence_bond   INTEGER,  -- in the order of docs/physics.md; NULL if valid
+  divergence_strain REAL,     -- of that bond [1]; NULL if valid or not a number
+  state_hash        BLOB CHECK (state_hash IS NULL OR length(state_hash) = 8),  -- of the final state; NULL if invalid
+  phenotype_hash    BLOB NOT NULL CHECK (length(phenotype_hash) = 16),  -- of the developmental program
+  genome_hash       BLOB NOT NULL CHECK (length(genome_hash) = 16),     -- of program and mutation rates
+  PRIMARY KEY (trial, id)
+) WITHOUT ROWID;
+CREATE INDEX individuals_by_phenotype ON individuals (phenotype_hash);
+
+CREATE TABLE genomes (  -- of the living and their ancestors; arrays of little-endian doubles, one per voxel
+  number             INTEGER PRIMARY KEY,  -- of no meaning
+  trial              INTEGER NOT NULL,
+  id                 INTEGER NOT NULL,
+  parent             INTEGER,        -- id; NULL: random
+  size_gene_initial  BLOB NOT NULL,  -- [1, -1 to 1], voxel x + grid_x * (y + grid_y * z)
+  size_gene_final    BLOB,           -- [1, -1 to 1]; NULL: as size_gene_initial
+  phase_initial      BLOB NOT NULL,  -- [cycles]
+  phase_final        BLOB,           -- [cycles]; NULL: as phase_initial
+  mutation_rate      BLOB            -- [1, 1/48 to 1]; NULL: not part of the genome
+);
+CREATE UNIQUE INDEX genomes_by_id ON genomes (trial, id);
+CREATE INDEX genomes_by_parent ON genomes (trial, parent);
+
+CREATE TABLE generations (  -- that are finished
+  trial          INTEGER NOT NULL,
+  generation     INTEGER NOT NULL,  -- from 0
+  champion       INTEGER NOT NULL,  -- id of the best valid survivor; of the first survivor if none is valid
+  best_fitness   REAL,  -- the champion's [body lengths]; NULL: no survivor is valid
+  median_fitness REAL,  -- of the valid survivors [body lengths]; NULL: there is none
+  PRIMARY KEY (trial, generation)
+) WITHOUT ROWID;
+
+CREATE TABLE survivors (  -- the population after selection
+  trial      INTEGER NOT NULL,
+  generation INTEGER NOT NULL,
+  rank       INTEGER NOT NULL,  -- from 1, the champion's
+  id         INTEGER NOT NULL,
+  PRIMARY KEY (trial, generation, rank)
+) WITHOUT ROWID;
+
+CREATE VIEW champions AS  -- the best robot of each generation, with its age in that generation
+  SELECT g.trial, g.generation, g.champion AS id, i.age + g.generation - i.generation AS age, i.fitness,
+         g.median_fitness, i.morphology_window, i.control_window
+  FROM generations AS g JOIN individuals AS i ON i.trial = g.trial AND i.id = g.champion;
+)";
+
+int64_t pragma(Connection& connection, const std::string& name)
+{
+  return connection.database().execAndGet("PRAGMA " + name).getInt64();
+}
+
+bool isEmpty(Connection& connection)
+{
+  return connection.database().execAndGet("SELECT count(*) FROM sqlite_master").getInt64() == 0 &&
+         pragma(connection, "application_id") == 0;
+}
+
+/// As a URI, in which some characters have a meaning of their own.
+std::string immutableUri(const std::string& path)
+{
+  constexpr char DIGITS[] = "0123456789abcdef";
+  std::string uri = "file:";
+  for (const char character : path)
+  {
+    const auto byte = static_cast<unsigned char>(character);
+    if (std::string("%?#").find(character) != std::string::npos)
+    {
+      uri += { '%', DIGITS[byte >> 4], DIGITS[byte & 15] };
+    }
+    else
+    {
+      uri += character;
+    }
+  }
+  return uri + "?immutable=1";
+}
+
+/// Reads one page, to find out whether reading works.
+bool isReadable(SQLite::Database& database)
+{
+  return database.tryExec("SELECT count(*) FROM sqlite_master") == SQLite::OK;
+}
+
+void distrustSchema(SQLite::Database& database)
+{
+  database.exec("PRAGMA trusted_schema = OFF; PRAGMA cell_size_check = ON;");
+}
+}  // namespace
+
+Connection connectForWriting(const std::string& path, int64_t maximum_size)
+{
+  SQLite::Database database(path, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, BUSY_TIMEOUT_MS);
+  distrustSchema(database);
+  Connection connection(std::move(database));
+  if (!isEmpty(connection))
+  {
+    checkSchema(connection, path);  // before anything is changed in it
+  }
+  if (connection.database().execAndGet("PRAGMA journal_mode = WAL").getString() != "wal")
+  {
+    throw ArchiveError("archive " + path +
+                       ": this file system cannot hold it, since it lacks shared memory for SQLite's "
+                       "write-ahead log; choose an output folder on a local disk");
+  }
+  connection.database().exec("PRAGMA synchronous = FULL; PRAGMA secure_delete = OFF;");
+  if (maximum_size > 0)
+  {
+    const int64_t pages = std::max<int64_t>(1, maximum_size / PAGE_SIZE);
+    connection.database().exec("PRAGMA max_page_count = " + std::to_string(pages));
+  }
+  return connection;
+}
+
+Connection connectForReading(const std::string& path)
+{
+  if (!std::filesystem::exists(path))
+  {
+    throw ArchiveError("there is no archive " + path + "; name the output folder of an experiment");
+  }
+  SQLite::Database database(path, SQLite::OPEN_READONLY, BUSY_TIMEOUT_MS);
+  const std::string folder = std::filesystem::path(path).parent_path().string();
+  if (!isReadable(database) && access(folder.c_str(), W_OK) != 0)
+  {
+    // In a folder that must not be written, SQLite cannot set up the memory that readers share with a writer. Without a
+    // log there is no writer, and none is needed.
+    std::error_code error;
+    const std::string log = path + "-wal";
+    if (std::filesystem::exists(log, error) && std::filesystem::file_size(log, error) != 0)
+    {
+      throw ArchiveError(
+          "archive " + path + ": its last generations are in " + log +
+          ", which cannot be read in a folder that must not be written; copy both files to one that can");
+    }
+    database = SQLite::Database(immutableUri(path), SQLite::OPEN_READONLY | SQLite::OPEN_URI);
+  }
+  distrustSchema(database);
+  return Connection(std::move(database));
+}
+
+bool createSchema(Connection& connection)
+{
+  if (!isEmpty(connection))
+  {
+    return false;
+  }
+  connection.database().exec(SCHEMA);
+  connection.database().exec("PRAGMA application_id = " + std::to_string(APPLICATION_ID));
+  connection.database().exec("PRAGMA user_version = " + std::to_string(SCHEMA_VERSION));
+  return true;
+}
+
+void checkSchema(Connection& connection, const std::string& path)
+{
+  if (isEmpty(connection))
+  {
+    throw ArchiveError("archive " + path + " is empty: its experiment has not begun");
+  }
+  if (pragma(connection, "application_id") != APPLICATION_ID)
+  {
+    throw ArchiveError("archive " + path + ": it is a database of another program; choose another output folder");
+  }
+  const int64_t version = pragma(connection, "user_version");
+  if (version != SCHEMA_VERSION)
+  {
+    throw ArchiveError("archive " + path + ": its tables are of version " + std::to_string(version) +
+                       ", of which this devo_evo knows only " + std::to_string(SCHEMA_VERSION) +
+                       "; use the devo_evo that made it, or a newer one");
+  }
+}
+}  // namespace devo_evo

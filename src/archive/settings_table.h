@@ -1,0 +1,20 @@
+#pragma once
+
+#include "archive/connection.h"
+
+namespace devo_evo
+{
+/// What the archive says the experiment is; output stays empty. @throw DamagedArchive if a value cannot be used.
+ExperimentSettings readSettings(Connection& connection);
+
+/// Writes all parameters that decide the results, and how far the experiment goes.
+void writeSettings(Connection& connection, const ExperimentSettings& settings);
+
+/// The resume rule. @throw ArchiveError naming each parameter in which `wanted` differs from what the archive says,
+/// unless it only tells how far the experiment goes.
+void checkResumable(Connection& connection, const ExperimentSettings& wanted);
+
+/// Notes that an evolver opened the archive.
+/// @throw ArchiveError if its engine gives other results than the one that made the archive.
+void recordStart(Connection& connection, const Provenance& provenance);
+}  // namespace devo_evo

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "archive/connection.h"
+#include "archive/output_folder.h"
+#include "devo_evo/soft_body/lattice.h"
+
+#include <memory>
+
+namespace devo_evo
+{
+/// The archive as one SQLite file. Its tables are described in docs/archive.md.
+class SqliteArchive : public Archive
+{
+public:
+  /// @param connection to a file that holds our tables and parameters.
+  /// @param lock       of the one who writes; none: only for reading.
+  SqliteArchive(const std::string& output, Connection connection, std::unique_ptr<WriterLock> lock);
+  ~SqliteArchive() override;
+
+  void commitGeneration(const GenerationRecord& record) override;
+  std::optional<Evaluation> findEvaluation(const Hash128& phenotype_hash) const override;
+  std::map<int64_t, TrialState> trialStates() const override;
+  ArchivedIndividual readIndividual(int64_t trial, int64_t id) const override;
+  std::vector<ArchivedIndividual> readLineage(int64_t trial, int64_t id) const override;
+  int64_t championOf(int64_t trial) const override;
+  std::vector<int64_t> trials() const override;
+  ExperimentSettings settings() const override;
+  std::string digest() const override;
+
+private:
+  std::optional<int64_t> lastGeneration(int64_t trial) const;
+  std::vector<int64_t> survivorsOf(int64_t trial, int64_t generation) const;
+  void checkRecord(const GenerationRecord& record) const;
+  void insertRecord(const GenerationRecord& record);
+  void updateGenomes(const GenerationRecord& record);
+  Individual readSurvivor(int64_t trial, int64_t id, int64_t generation) const;
+  std::vector<ArchivedIndividual> descent(int64_t trial, int64_t id, bool all_ancestors) const;
+
+  const std::string output_;
+  const std::string path_;
+  std::unique_ptr<WriterLock> lock_;  // outlives the connection
+  mutable Connection connection_;
+  ExperimentSettings settings_;
+  Lattice lattice_;
+};
+}  // namespace devo_evo
