@@ -561,8 +561,21 @@ inline void integrateRotation(const BodyModel& model, Voxel<Real>& voxel)
   const Real x = multiplyAdd(-turn.z, q.y, multiplyAdd(turn.y, q.z, multiplyAdd(turn.x, q.w, q.x)));
   const Real y = multiplyAdd(-turn.x, q.z, multiplyAdd(turn.z, q.x, multiplyAdd(turn.y, q.w, q.y)));
   const Real z = multiplyAdd(-turn.y, q.x, multiplyAdd(turn.x, q.y, multiplyAdd(turn.z, q.w, q.z)));
-  const Real scaling = inverseSquareRoot(multiplyAdd(z, z, multiplyAdd(y, y, multiplyAdd(x, x, w * w))));
+  const Real square = multiplyAdd(z, z, multiplyAdd(y, y, multiplyAdd(x, x, w * w)));
+  const Real scaling = inverseSquareRoot(square);
   voxel.orientation = { w * scaling, x * scaling, y * scaling, z * scaling };
+
+  // The reference takes a turn too small to make its w less than 1 for none
+  const Real one = constant<Real>(1.0);
+  const auto unturned = (one <= w) & (square <= constant<Real>(1.0 + 0x1p-52));
+  if (any(unturned))
+  {
+    const Real zero = constant<Real>(0.0);
+    voxel.orientation.w = select(unturned, one, voxel.orientation.w);
+    voxel.orientation.x = select(unturned, zero, voxel.orientation.x);
+    voxel.orientation.y = select(unturned, zero, voxel.orientation.y);
+    voxel.orientation.z = select(unturned, zero, voxel.orientation.z);
+  }
 }
 
 template <class Real>
