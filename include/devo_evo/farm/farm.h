@@ -37,9 +37,9 @@ struct WorkerStatus
   int64_t evaluations = 0;  ///< results taken from it
 };
 
-/// Hands evaluations to workers: local threads or ROS simulators. Every request is answered exactly once, however workers
-/// come, go or fail; while there is none, requests wait.
-/// submit(), collect() and status() may be called from different threads.
+/// Hands evaluations to workers: local threads or ROS simulators. Every request is answered exactly once, however
+/// workers come, go or fail; while there is none, requests wait. submit(), collect() and status() may be called from
+/// different threads.
 class Farm
 {
 public:

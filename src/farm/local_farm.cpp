@@ -1,0 +1,185 @@
+#include "devo_evo/farm/local_farm.h"
+
+#include "devo_evo/soft_body/text.h"
+
+#include <algorithm>
+#include <atomic>
+#include <condition_variable>
+#include <deque>
+#include <exception>
+#include <iterator>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+namespace devo_evo
+{
+namespace
+{
+class LocalFarm : public Farm
+{
+public:
+  LocalFarm(const SoftBodySettings& settings, int threads, InstructionSet instruction_set)
+    : settings_(settings), instruction_set_(instruction_set)
+  {
+    for (int i = 0; i < threads; ++i)
+    {
+      workers_.push_back({ "thread " + toText(i + 1), "idle", true, 0 });
+    }
+    try
+    {
+      for (size_t i = 0; i < workers_.size(); ++i)
+      {
+        threads_.emplace_back([this, i] { work(i); });
+      }
+    }
+    catch (...)
+    {
+      stop();
+      throw;
+    }
+  }
+
+  ~LocalFarm() override { stop(); }
+
+  void submit(std::vector<EvaluationRequest> requests) override
+  {
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      requests_.insert(requests_.end(), std::make_move_iterator(requests.begin()),
+                       std::make_move_iterator(requests.end()));
+    }
+    work_to_do_.notify_all();
+  }
+
+  std::vector<EvaluationResult> collect(std::chrono::milliseconds timeout) override
+  {
+    std::unique_lock<std::mutex> lock(mutex_);
+    something_to_report_.wait_for(lock, timeout, [this] { return !results_.empty() || error_; });
+    if (error_)
+    {
+      std::rethrow_exception(error_);
+    }
+    return std::exchange(results_, {});
+  }
+
+  std::vector<WorkerStatus> status() const override
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return workers_;
+  }
+
+private:
+  void work(size_t worker)
+  {
+    try
+    {
+      for (std::vector<EvaluationRequest> group = take(worker); !group.empty(); group = take(worker))
+      {
+        deliver(worker, group, evaluateGroup(group));
+      }
+    }
+    catch (const EvaluationAbandoned&)
+    {
+      // The farm is being destroyed: nobody waits for the results.
+    }
+    catch (...)
+    {
+      report(worker, std::current_exception());
+    }
+  }
+
+  /// Waits for work and takes what the lanes hold; nothing when the farm stops. A group lasts as long with one robot as
+  /// with all its lanes full, so full groups first is as fast as any sharing out.
+  std::vector<EvaluationRequest> take(size_t worker)
+  {
+    std::unique_lock<std::mutex> lock(mutex_);
+    workers_[worker].state = "idle";
+    work_to_do_.wait(lock, [this] { return stop_ || error_ || !requests_.empty(); });
+    if (stop_ || error_)
+    {
+      return {};
+    }
+    workers_[worker].state = "working";
+    const auto size = std::min(requests_.size(), static_cast<size_t>(laneCount(instruction_set_)));
+    const auto end = requests_.begin() + static_cast<std::ptrdiff_t>(size);
+    std::vector<EvaluationRequest> group(std::make_move_iterator(requests_.begin()), std::make_move_iterator(end));
+    requests_.erase(requests_.begin(), end);
+    return group;
+  }
+
+  std::vector<Evaluation> evaluateGroup(const std::vector<EvaluationRequest>& group) const
+  {
+    std::vector<DevelopmentalProgram> programs;
+    for (const EvaluationRequest& request : group)
+    {
+      programs.push_back(request.program);
+    }
+    return evaluate(settings_, programs, instruction_set_, &stop_);
+  }
+
+  void deliver(size_t worker, const std::vector<EvaluationRequest>& group, std::vector<Evaluation> evaluations)
+  {
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      WorkerStatus& status = workers_[worker];
+      for (size_t i = 0; i < group.size(); ++i)
+      {
+        results_.push_back({ group[i].trial, group[i].id, std::move(evaluations[i]), status.name });
+      }
+      status.evaluations += static_cast<int64_t>(group.size());
+    }
+    something_to_report_.notify_all();
+  }
+
+  void report(size_t worker, std::exception_ptr error)
+  {
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      workers_[worker].state = "lost: it failed";
+      workers_[worker].usable = false;
+      error_ = error_ ? error_ : std::move(error);
+    }
+    something_to_report_.notify_all();
+    work_to_do_.notify_all();
+  }
+
+  void stop()
+  {
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);  // so that no thread misses it between looking and waiting
+      stop_ = true;
+    }
+    work_to_do_.notify_all();
+    for (std::thread& thread : threads_)
+    {
+      thread.join();
+    }
+  }
+
+  const SoftBodySettings settings_;
+  const InstructionSet instruction_set_;
+
+  mutable std::mutex mutex_;  // guards everything below but stop_, which is only set under it
+  std::condition_variable work_to_do_;
+  std::condition_variable something_to_report_;
+  std::deque<EvaluationRequest> requests_;
+  std::vector<EvaluationResult> results_;
+  std::vector<WorkerStatus> workers_;
+  std::exception_ptr error_;
+  std::atomic<bool> stop_{ false };
+
+  std::vector<std::thread> threads_;
+};
+}  // namespace
+
+std::unique_ptr<Farm> makeLocalFarm(const SoftBodySettings& settings, int threads, InstructionSet instruction_set)
+{
+  if (threads < 1)
+  {
+    throw InvalidInput("a farm needs 1 thread or more, not " + toText(threads));
+  }
+  settings.validate();
+  return std::make_unique<LocalFarm>(settings, threads, instruction_set);
+}
+}  // namespace devo_evo
