@@ -1,5 +1,7 @@
 #include "devo_evo/experiment/build_info.h"
 
+#include "devo_evo/soft_body/simulation.h"
+
 #include <fstream>
 
 #include <sys/utsname.h>
@@ -37,6 +39,7 @@ Provenance localProvenance(const std::string& instruction_set)
   provenance.compiler = buildInfo().compiler;
   provenance.processor = processorName();
   provenance.instruction_set = instruction_set;
+  provenance.engine_fingerprint = engineFingerprint(parseInstructionSet(instruction_set));
 
   utsname system{};
   if (uname(&system) == 0)

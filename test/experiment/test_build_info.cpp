@@ -1,5 +1,7 @@
 #include "devo_evo/experiment/build_info.h"
 
+#include "devo_evo/soft_body/simulation.h"
+
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -44,6 +46,7 @@ TEST(BuildInfo, ProvenanceSaysWhereAndWithWhat)
   EXPECT_FALSE(provenance.processor.empty());
   EXPECT_EQ(provenance.instruction_set, "scalar");
   EXPECT_FALSE(provenance.host.empty());
+  EXPECT_EQ(provenance.engine_fingerprint, engineFingerprint(InstructionSet::SCALAR));
 }
 }  // namespace
 }  // namespace devo_evo

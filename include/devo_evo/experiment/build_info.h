@@ -19,6 +19,7 @@ const BuildInfo& buildInfo();
 /// Version and commit for people: "0.1.0 (3f2c19a04b1d)", or "0.1.0" without a commit.
 std::string versionText();
 
-/// Provenance of what is computed on this machine with an instruction set ("scalar", "avx2" or "avx512").
+/// Provenance of what is computed on this machine with an instruction set ("scalar", "avx2" or "avx512"). Takes the
+/// fraction of a second that the engine fingerprint takes.
 Provenance localProvenance(const std::string& instruction_set);
 }  // namespace devo_evo
