@@ -6,7 +6,6 @@
 
 #include <atomic>
 #include <cstdint>
-#include <vector>
 
 namespace devo_evo
 {
@@ -17,7 +16,7 @@ struct GenerationReport
   const Individual& champion;      ///< with genome and evaluation
   int64_t evaluations = 0;         ///< simulated for this generation; the others were known already
   int64_t total_evaluations = 0;   ///< simulated since this run began, all trials
-  double evaluations_per_s = 0.0;  ///< over the last seconds
+  double evaluations_per_s = 0.0;  ///< over the last seconds; NaN while unknown
   double remaining_s = 0.0;        ///< estimated time to the end of the experiment; NaN while unknown
 };
 
@@ -39,27 +38,29 @@ enum class RunOutcome
   STOPPED    ///< it was stopped, and can be resumed
 };
 
-/// Runs an experiment: several trials side by side on one farm into one archive. The result does not depend on the farm.
+/// Runs an experiment: all trials side by side on one farm into one archive. Robots with the same phenotype are
+/// simulated once. What ends up in the archive does not depend on the farm, nor on pauses and stops.
 class Experiment
 {
 public:
-  /// Resumes where the archive ends. All references must outlive the experiment.
+  /// Resumes where the archive ends. All references must outlive the experiment. @throw InvalidInput
   Experiment(const ExperimentSettings& settings, Archive& archive, Farm& farm, ExperimentObserver& observer);
 
-  /// Runs until all trials are finished or it is stopped. @throw ArchiveError if a generation cannot be committed.
+  /// Runs until all trials are finished or it is stopped. @throw ArchiveError if a generation cannot be committed, and
+  /// whatever farm and observer throw; the archive can be resumed then, too.
   RunOutcome run();
 
   /// Lets running generations finish but starts no new one, until resume(). From any thread.
-  void pause();
-  void resume();
-  bool paused() const;
+  void pause() { paused_ = true; }
+  void resume() { paused_ = false; }
+  bool paused() const { return paused_; }
 
   /// Lets running generations finish, then ends run(). From any thread.
-  void stopAfterGeneration();
+  void stopAfterGeneration() { stop_after_generation_ = true; }
 
   /// Ends run() at once; generations not committed are evolved again, equally, when the experiment is resumed.
   /// Async-signal-safe.
-  void stopNow();
+  void stopNow() { stop_now_ = true; }
 
 private:
   class Run;
@@ -71,5 +72,6 @@ private:
   std::atomic<bool> paused_{ false };
   std::atomic<bool> stop_after_generation_{ false };
   std::atomic<bool> stop_now_{ false };
+  static_assert(std::atomic<bool>::is_always_lock_free, "stopNow() is called by signal handlers");
 };
 }  // namespace devo_evo
