@@ -1,0 +1,92 @@
+#include "devo_evo/experiment/report_text.h"
+
+#include "devo_evo/soft_body/text.h"
+
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+namespace devo_evo
+{
+namespace
+{
+/// The fittest of the trials' champions; of equals the one of the first trial. None if none is valid.
+std::optional<ArchivedIndividual> bestRobot(const Archive& archive)
+{
+  std::optional<ArchivedIndividual> best;
+  for (const int64_t trial : archive.trials())
+  {
+    ArchivedIndividual champion = archive.readIndividual(trial, archive.championOf(trial));
+    const auto& evaluation = champion.individual.evaluation;
+    if (evaluation && evaluation->valid && (!best || evaluation->fitness > best->individual.evaluation->fitness))
+    {
+      best = std::move(champion);
+    }
+  }
+  return best;
+}
+
+std::string describe(const ArchivedIndividual& robot, double lifetime)
+{
+  const Individual& individual = robot.individual;
+  const Evaluation& evaluation = *individual.evaluation;
+  const std::string fall = evaluation.fell_over_since_birth_s
+                               ? "fell over " + fixedText(*evaluation.fell_over_since_birth_s, 2) + " s after birth"
+                               : "never fell over";
+  return "Best robot: " + individualName(individual.trial, individual.id) + ", born in generation " +
+         toText(individual.generation) + "\n" +  //
+         "    travelled " + fixedText(evaluation.fitness, 3) + " body lengths in " + toText(lifetime) + " s, made " +
+         fixedText(evaluation.turns, 2) + " turns, " + fall + "\n" +  //
+         "    developmental windows: W_L " + fixedText(robot.morphology_window, 3) + " (body), W_Phi " +
+         fixedText(robot.control_window, 3) + " (control)\n";
+}
+}  // namespace
+
+std::string fixedText(double number, int decimals)
+{
+  if (!std::isfinite(number))
+  {
+    return "-";
+  }
+  char text[512];  // the largest double has 309 digits before the point
+  const auto result = std::to_chars(text, text + sizeof text, number, std::chars_format::fixed, decimals);
+  return std::string(text, result.ptr);
+}
+
+std::string durationText(double seconds)
+{
+  constexpr double longest = 1e15;
+  if (!(std::abs(seconds) < longest))
+  {
+    return "unknown";
+  }
+  const auto whole = static_cast<int64_t>(std::llround(seconds));
+  const int64_t minutes = whole / 60, hours = minutes / 60, days = hours / 24;
+  if (days > 0)
+  {
+    return toText(days) + " d " + toText(hours % 24) + " h";
+  }
+  if (hours > 0)
+  {
+    return toText(hours) + " h " + toText(minutes % 60) + " min";
+  }
+  return (minutes > 0 ? toText(minutes) + " min " : "") + toText(whole % 60) + " s";
+}
+
+std::string progressText(const GenerationReport& report, const ExperimentSettings& settings)
+{
+  const GenerationRecord& record = report.record;
+  return "trial " + toText(record.trial) + "/" + toText(settings.trials) + ", generation " + toText(record.generation) +
+         "/" + toText(settings.generations) + ": best " + fixedText(record.best_fitness, 3) + ", median " +
+         fixedText(record.median_fitness, 3) + " body lengths; " + fixedText(report.evaluations_per_s, 1) +
+         " evaluations/s, " + durationText(report.remaining_s) + " left";
+}
+
+std::string resultsText(const Archive& archive, const std::string& output)
+{
+  const auto best = bestRobot(archive);
+  return "Results:    " + archivePath(output) + "\n" +
+         (best ? describe(*best, archive.settings().body.lifetime) : "Best robot: none is valid yet\n") +
+         "Digest:     " + archive.digest() + "\n";
+}
+}  // namespace devo_evo
