@@ -6,17 +6,21 @@ foreach(variable PYTHON_EXECUTABLE Python3_EXECUTABLE)
     set(${variable} /usr/bin/python3 CACHE FILEPATH "The Python that ROS is installed for")
   endif()
 endforeach()
-# Catkin caches the environment of its first configure, in which this folder must exist already.
-file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/devel/lib/python3/dist-packages)
+# Outside of a workspace, catkin caches the environment of its first configure, in which this folder must exist already.
+if(NOT CATKIN_DEVEL_PREFIX)
+  file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/devel/lib/python3/dist-packages)
+endif()
 
-find_package(catkin REQUIRED COMPONENTS
-  roscpp message_generation std_msgs std_srvs diagnostic_msgs)
+find_package(catkin REQUIRED COMPONENTS diagnostic_msgs message_generation roscpp std_msgs std_srvs)
 
 add_message_files(DIRECTORY msg)
 add_service_files(DIRECTORY srv)
 generate_messages(DEPENDENCIES std_msgs)
 
+# Whoever links our static library from elsewhere needs what it links.
+find_library(SQLITECPP_LIBRARIES SQLiteCpp REQUIRED)
 catkin_package(
   INCLUDE_DIRS include
-  LIBRARIES devo_evo_core
-  CATKIN_DEPENDS roscpp message_runtime std_msgs std_srvs diagnostic_msgs)
+  LIBRARIES ${PROJECT_NAME}_core
+  CATKIN_DEPENDS diagnostic_msgs message_runtime roscpp std_msgs std_srvs
+  DEPENDS EIGEN3 OPENSSL SQLITECPP SQLite3 YAML_CPP)
