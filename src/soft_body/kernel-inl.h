@@ -110,17 +110,36 @@ struct BondMemory
 
 // ---- functions of one number -------------------------------------------------------------------------------------
 
-// A polynomial of x by Horner's rule, coefficients from the constant term upwards.
-template <class Real>
-inline Real polynomial(Real, double coefficient)
+// The polynomial of x with N terms, from the constant upwards. Neighbouring terms are joined, and the pairs are a
+// polynomial of x^2 (Estrin's scheme): a shorter chain of dependent operations than Horner's rule.
+template <int N, class Real>
+inline Real joinTerms(const Real (&terms)[N], Real x)
 {
-  return constant<Real>(coefficient);
+  if constexpr (N == 1)
+  {
+    return terms[0];
+  }
+  else
+  {
+    Real joined[(N + 1) / 2];
+#pragma GCC unroll 8
+    for (int i = 0; i < N / 2; ++i)
+    {
+      joined[i] = multiplyAdd(terms[2 * i + 1], x, terms[2 * i]);
+    }
+    if constexpr (N % 2 == 1)
+    {
+      joined[N / 2] = terms[N - 1];
+    }
+    return joinTerms<(N + 1) / 2>(joined, x * x);
+  }
 }
 
 template <class Real, class... Coefficients>
-inline Real polynomial(Real x, double coefficient, Coefficients... higher)
+inline Real polynomial(Real x, Coefficients... coefficients)
 {
-  return multiplyAdd(polynomial(x, higher...), x, constant<Real>(coefficient));
+  const Real terms[] = { constant<Real>(coefficients)... };
+  return joinTerms<sizeof...(coefficients)>(terms, x);
 }
 
 // 1 / sqrt(a) for normal a > 0, to within two units in the last place: a guess from the exponent, then two corrections
@@ -295,11 +314,45 @@ inline void reportDivergence(BatchState& state, uint32_t diverged, int bond, con
   state.diverged |= diverged;
 }
 
-// One bond: forces and moments onto its two voxels, physics.md 2.
+// A bond on its way through the stages of a step.
+template <class Real>
+struct Bond
+{
+  int number;
+  Voxel<Real>* voxel_1;
+  Voxel<Real>* voxel_2;
+  uint32_t switched;  // bit l: lane l's bond changed its regime in this step
+  Turn<Real> u;
+  Quaternion<Real> n;
+  Vector<Real> d;
+  Vector<Real> turned_x;  // axes of the turned bond frame in the world
+  Vector<Real> turned_y;
+  Real a1_y, a1_z;  // alpha_1
+  Vector<Real> a2;  // alpha_2
+};
+
+// Which robots' bonds are in the small-angle regime, with hysteresis (2.2).
+template <class Real>
+inline MaskOf<Real> smallAngleRegime(const BodyModel& model, MaskOf<Real> was_small, const Vector<Real>& r, Real n_w,
+                                     Real rest)
+{
+  using Mask = MaskOf<Real>;
+  constexpr double enter_cosine = 0.9999625024343469;  // cos(theta_s / 2)
+  constexpr double leave_cosine = 0.9999546280051071;  // cos(1.1 theta_s / 2)
+  Mask inside = (constant<Real>(enter_cosine) < n_w) & (r.x < constant<Real>(1.3) * rest);
+  Mask outside = (n_w <= constant<Real>(leave_cosine)) | (constant<Real>(1.1 * 1.3) * rest < r.x);
+  if (model.sideways_bend_test)
+  {
+    const Real sideways = absolute(r.y) + absolute(r.z);
+    inside = inside & (sideways < constant<Real>(0.05) * r.x);
+    outside = outside | (constant<Real>(1.1 * 0.05) * r.x < sideways);
+  }
+  return (was_small & !outside) | ((!was_small) & inside);
+}
+
+// First stage: how the bond is deformed, and the turned frame (2.1, 2.2).
 template <int AXIS, class Real>
-inline void applyBond(const BodyModel& model, bool first_step, int bond, const Axes<Real>& body_axes_1,
-                      Voxel<Real>& voxel_1, Voxel<Real>& voxel_2, BondMemory<Real>& memory, uint8_t& small_angle_bits,
-                      BatchState& state)
+inline void deform(const BodyModel& model, const Axes<Real>& body_axes_1, uint8_t& small_angle_bits, Bond<Real>& bond)
 {
   using Mask = MaskOf<Real>;
   const Real one = constant<Real>(1.0);
@@ -307,22 +360,17 @@ inline void applyBond(const BodyModel& model, bool first_step, int bond, const A
   const Real zero = constant<Real>(0.0);
   constexpr double theta_s = 0.01732;
 
-  // r' and n in the bond frame; rest is the resting distance l
   const Axes<Real> axes = bondAxes<AXIS>(body_axes_1);
-  const Vector<Real> r_world = voxel_2.position - voxel_1.position;
+  const Vector<Real> r_world = bond.voxel_2->position - bond.voxel_1->position;
   const Vector<Real> r = { dot(r_world, axes.x), dot(r_world, axes.y), dot(r_world, axes.z) };
-  const Quaternion<Real> n = relativeOrientation<AXIS>(voxel_1.orientation, voxel_2.orientation);
-  const Real rest = half * (voxel_1.scale + voxel_2.scale);
-
-  // Regime, with hysteresis (2.2): cosines are those of theta_s / 2 and 1.1 theta_s / 2
+  const Quaternion<Real> n = relativeOrientation<AXIS>(bond.voxel_1->orientation, bond.voxel_2->orientation);
+  const Real rest = half * (bond.voxel_1->scale + bond.voxel_2->scale);
   const Mask was_small = PackTraits<Real>::maskFromBits(small_angle_bits);
-  const Mask inside = (constant<Real>(0.9999625024343469) < n.w) & (r.x < constant<Real>(1.3) * rest);
-  const Mask outside = (n.w <= constant<Real>(0.9999546280051071)) | (constant<Real>(1.43) * rest < r.x);
-  const Mask is_small = (was_small & !outside) | ((!was_small) & inside);
-  const uint32_t switched_bits = bits(was_small) ^ bits(is_small);
+  const Mask is_small = smallAngleRegime(model, was_small, r, n.w, rest);
+  bond.switched = bits(was_small) ^ bits(is_small);
   small_angle_bits = static_cast<uint8_t>(bits(is_small));
 
-  // Large-angle: u is the shortest turn of r' onto +x
+  // Large-angle: u is the shortest turn of r' onto +x, by half-angle formulas
   const Real square = dot(r, r);
   const Real inverse_length = inverseSquareRoot(square);
   const Real length = square * inverse_length;
@@ -353,97 +401,108 @@ inline void applyBond(const BodyModel& model, bool first_step, int bond, const A
     turned_x = select<Real>(nearly_straight | is_small, x, turned_x);
     d = select<Real>(is_small, { r.x - rest, r.y, r.z }, d);
   }
+  const Real u_z2 = u.z + u.z;
+  const Vector<Real> second_row = { u.w * u_z2, multiplyAdd(-u.z, u_z2, one), u.y * u_z2 };
+  bond.turned_x = turned_x;
+  bond.turned_y = multiplyAdd(second_row.z, axes.z, multiplyAdd(second_row.y, axes.y, second_row.x * axes.x));
+  bond.u = u;
+  bond.n = n;
+  bond.d = d;
+}
 
-  // Rotation vectors of both ends; that of end 1 has no x component
-  const Real factor_1 = rotationFactor(u.w);
-  const Real a1_y = u.y * factor_1;
-  const Real a1_z = u.z * factor_1;
-  const Quaternion<Real> end_2 = u * n;
+// Second stage: rotation vectors of both ends in the turned frame (2.2); that of end 1 has no x component.
+template <class Real>
+inline void rotateEnds(Bond<Real>& bond)
+{
+  const Real factor_1 = rotationFactor(bond.u.w);
+  bond.a1_y = bond.u.y * factor_1;
+  bond.a1_z = bond.u.z * factor_1;
+  const Quaternion<Real> end_2 = bond.u * bond.n;
   const Real factor_2 = rotationFactor(end_2.w);
-  const Vector<Real> a2 = { end_2.x * factor_2, end_2.y * factor_2, end_2.z * factor_2 };
+  bond.a2 = { end_2.x * factor_2, end_2.y * factor_2, end_2.z * factor_2 };
+}
 
-  const Mask diverged = !(d.x <= constant<Real>(100.0 * model.nominal_size));
+template <class Real>
+inline void checkDivergence(const BodyModel& model, const Bond<Real>& bond, BatchState& state)
+{
+  const MaskOf<Real> diverged = !(bond.d.x <= constant<Real>(100.0 * model.nominal_size));
   if (any(diverged))
   {
-    const Real strain = d.x / constant<Real>(model.nominal_size);
+    const Real strain = bond.d.x / constant<Real>(model.nominal_size);
     double strains[MAX_LANES] = {};
     std::memcpy(strains, &strain, sizeof strain);
-    reportDivergence(state, bits(diverged), bond, strains);
+    reportDivergence(state, bits(diverged), bond.number, strains);
   }
+}
 
-  // Elastic forces and moments (2.3)
-  const Real sum_y = a1_y + a2.y;
-  const Real sum_z = a1_z + a2.z;
+// What has changed in a bond since the last step that was not a switch step; nothing where this one is. Remembers anew.
+template <class Real>
+inline BondMemory<Real> changes(bool first_step, const Bond<Real>& bond, BondMemory<Real>& memory)
+{
+  const BondMemory<Real> now = { bond.d, bond.a1_y, bond.a1_z, bond.a2 };
+  const BondMemory<Real> before = first_step ? now : memory;
+  BondMemory<Real> change = { now.displacement - before.displacement, now.angle_1_y - before.angle_1_y,
+                              now.angle_1_z - before.angle_1_z, now.angle_2 - before.angle_2 };
+  memory = now;
+  if (bond.switched != 0)
+  {
+    const MaskOf<Real> switched = PackTraits<Real>::maskFromBits(bond.switched);
+    const Real zero = constant<Real>(0.0);
+    const Vector<Real> none = { zero, zero, zero };
+    change = { select<Real>(switched, none, change.displacement), select(switched, zero, change.angle_1_y),
+               select(switched, zero, change.angle_1_z), select<Real>(switched, none, change.angle_2) };
+    memory = { select<Real>(switched, before.displacement, now.displacement),
+               select(switched, before.angle_1_y, now.angle_1_y), select(switched, before.angle_1_z, now.angle_1_z),
+               select<Real>(switched, before.angle_2, now.angle_2) };
+  }
+  return change;
+}
+
+// Third stage: elastic and damping forces and moments (2.3), turned back to the world and onto both voxels.
+template <class Real>
+inline void applyForces(const BodyModel& model, bool first_step, const Bond<Real>& bond, BondMemory<Real>& memory)
+{
+  const Vector<Real>& d = bond.d;
+  const Vector<Real>& a2 = bond.a2;
+  const BondMemory<Real> change = changes(first_step, bond, memory);
+  const Vector<Real>& dd = change.displacement;
+  const Vector<Real>& da2 = change.angle_2;
   const Real b1 = constant<Real>(model.shear_stiffness);
   const Real b2 = constant<Real>(model.coupling_stiffness);
   const Real b3 = constant<Real>(model.bending_stiffness);
-  Vector<Real> force = { constant<Real>(model.axial_stiffness) * d.x, multiplyAdd(b1, d.y, -(b2 * sum_z)),
-                         multiplyAdd(b1, d.z, b2 * sum_y) };
-  Real twist = -(constant<Real>(model.torsion_stiffness) * a2.x);
-  Real m1_y = multiplyAdd(b3, sum_y + a1_y, b2 * d.z);
-  Real m1_z = multiplyAdd(b3, sum_z + a1_z, -(b2 * d.y));
-  Real m2_y = multiplyAdd(b3, sum_y + a2.y, b2 * d.z);
-  Real m2_z = multiplyAdd(b3, sum_z + a2.z, -(b2 * d.y));
+  const Real c_b1 = constant<Real>(model.shear_damping);
+  const Real c_b2 = constant<Real>(model.coupling_damping);
+  const Real c_b2_moment = constant<Real>(model.coupling_damping_moment);
+  const Real c_b3 = constant<Real>(model.bending_damping);
 
-  // Damping: of the changes since the last step that was not a switch step
-  if (first_step)
-  {
-    memory = { d, a1_y, a1_z, a2 };
-  }
-  else
-  {
-    Vector<Real> dd = d - memory.displacement;
-    Real da1_y = a1_y - memory.angle_1_y;
-    Real da1_z = a1_z - memory.angle_1_z;
-    Vector<Real> da2 = a2 - memory.angle_2;
-    if (switched_bits == 0)
-    {
-      memory = { d, a1_y, a1_z, a2 };
-    }
-    else
-    {
-      const Mask switched = PackTraits<Real>::maskFromBits(switched_bits);
-      const Vector<Real> none = { zero, zero, zero };
-      dd = select<Real>(switched, none, dd);
-      da1_y = select(switched, zero, da1_y);
-      da1_z = select(switched, zero, da1_z);
-      da2 = select<Real>(switched, none, da2);
-      memory.displacement = select<Real>(switched, memory.displacement, d);
-      memory.angle_1_y = select(switched, memory.angle_1_y, a1_y);
-      memory.angle_1_z = select(switched, memory.angle_1_z, a1_z);
-      memory.angle_2 = select<Real>(switched, memory.angle_2, a2);
-    }
-    const Real dsum_y = da1_y + da2.y;
-    const Real dsum_z = da1_z + da2.z;
-    const Real c_b1 = constant<Real>(model.shear_damping);
-    const Real c_b2 = constant<Real>(model.coupling_damping);
-    const Real c_b2_moment = constant<Real>(model.coupling_damping_moment);
-    const Real c_b3 = constant<Real>(model.bending_damping);
-    force.x = multiplyAdd(constant<Real>(model.axial_damping), dd.x, force.x);
-    force.y = multiplyAdd(c_b1, dd.y, multiplyAdd(-c_b2, dsum_z, force.y));
-    force.z = multiplyAdd(c_b1, dd.z, multiplyAdd(c_b2, dsum_y, force.z));
-    twist = multiplyAdd(constant<Real>(-model.torsion_damping), da2.x, twist);
-    m1_y = multiplyAdd(c_b3, dsum_y + da1_y, multiplyAdd(c_b2_moment, dd.z, m1_y));
-    m1_z = multiplyAdd(c_b3, dsum_z + da1_z, multiplyAdd(-c_b2_moment, dd.y, m1_z));
-    m2_y = multiplyAdd(c_b3, dsum_y + da2.y, multiplyAdd(c_b2_moment, dd.z, m2_y));
-    m2_z = multiplyAdd(c_b3, dsum_z + da2.z, multiplyAdd(-c_b2_moment, dd.y, m2_z));
-  }
+  const Real sum_y = bond.a1_y + a2.y;
+  const Real sum_z = bond.a1_z + a2.z;
+  const Real dsum_y = change.angle_1_y + da2.y;
+  const Real dsum_z = change.angle_1_z + da2.z;
+  const Vector<Real> force = { multiplyAdd(constant<Real>(model.axial_damping), dd.x,
+                                           constant<Real>(model.axial_stiffness) * d.x),
+                               multiplyAdd(c_b1, dd.y, multiplyAdd(-c_b2, dsum_z, multiplyAdd(b1, d.y, -(b2 * sum_z)))),
+                               multiplyAdd(c_b1, dd.z, multiplyAdd(c_b2, dsum_y, multiplyAdd(b1, d.z, b2 * sum_y))) };
+  const Real twist =
+      multiplyAdd(constant<Real>(model.torsion_damping), da2.x, constant<Real>(model.torsion_stiffness) * a2.x);
+  const Real both_y = multiplyAdd(c_b3, dsum_y, multiplyAdd(c_b2_moment, dd.z, multiplyAdd(b3, sum_y, b2 * d.z)));
+  const Real both_z = multiplyAdd(c_b3, dsum_z, multiplyAdd(-c_b2_moment, dd.y, multiplyAdd(b3, sum_z, -(b2 * d.y))));
+  const Real m1_y = multiplyAdd(c_b3, change.angle_1_y, multiplyAdd(b3, bond.a1_y, both_y));
+  const Real m1_z = multiplyAdd(c_b3, change.angle_1_z, multiplyAdd(b3, bond.a1_z, both_z));
+  const Real m2_y = multiplyAdd(c_b3, da2.y, multiplyAdd(b3, a2.y, both_y));
+  const Real m2_z = multiplyAdd(c_b3, da2.z, multiplyAdd(b3, a2.z, both_z));
 
-  // Back to the world: the turned frame's axes there, then the sums along them
-  const Real u_z2 = u.z + u.z;
-  const Vector<Real> second_row = { u.w * u_z2, multiplyAdd(-u.z, u_z2, one), u.y * u_z2 };
-  const Vector<Real> turned_y =
-      multiplyAdd(second_row.z, axes.z, multiplyAdd(second_row.y, axes.y, second_row.x * axes.x));
-  const Vector<Real> turned_z = cross(turned_x, turned_y);
-  const Vector<Real> force_world = multiplyAdd(force.z, turned_z, multiplyAdd(force.y, turned_y, force.x * turned_x));
-  const Vector<Real> twist_world = twist * turned_x;
-  const Vector<Real> m1_world = multiplyAdd(m1_z, turned_z, multiplyAdd(m1_y, turned_y, twist_world));
-  const Vector<Real> m2_world = multiplyAdd(m2_z, turned_z, multiplyAdd(m2_y, turned_y, -twist_world));
-
-  voxel_1.force = voxel_1.force + force_world;
-  voxel_2.force = voxel_2.force - force_world;
-  voxel_1.moment = voxel_1.moment - m1_world;
-  voxel_2.moment = voxel_2.moment - m2_world;
+  const Vector<Real>& x = bond.turned_x;
+  const Vector<Real>& y = bond.turned_y;
+  const Vector<Real> z = cross(x, y);
+  const Vector<Real> force_world = multiplyAdd(force.z, z, multiplyAdd(force.y, y, force.x * x));
+  const Vector<Real> twist_world = twist * x;
+  const Vector<Real> m1_world = multiplyAdd(m1_z, z, multiplyAdd(m1_y, y, -twist_world));
+  const Vector<Real> m2_world = multiplyAdd(m2_z, z, multiplyAdd(m2_y, y, twist_world));
+  bond.voxel_1->force = bond.voxel_1->force + force_world;
+  bond.voxel_2->force = bond.voxel_2->force - force_world;
+  bond.voxel_1->moment = bond.voxel_1->moment - m1_world;
+  bond.voxel_2->moment = bond.voxel_2->moment - m2_world;
 }
 
 // ---- self-collision, physics.md 3 --------------------------------------------------------------------------------
@@ -609,8 +668,47 @@ inline void moveVoxel(const BodyModel& model, const StepClock& clock, bool in_to
 
 // ---- the step ----------------------------------------------------------------------------------------------------
 
-// Collisions of all voxels; then voxel by voxel the bonds to its upper neighbours, after which no force on it is
-// missing and nothing needs its old state any more, and its motion.
+// How many voxels go through the stages together: enough independent work to hide the latency of each operation, little
+// enough to stay in the first-level cache.
+constexpr int GROUP = 4;
+
+// First stage of the bonds to a voxel's upper neighbours. Returns how many there are.
+template <class Real>
+inline int deformBondsOf(int voxel, int first_number, const BodyModel& model, Voxel<Real>* voxels, BatchState& state,
+                         Bond<Real>* bonds)
+{
+  const Axes<Real> axes = bodyAxes(voxels[voxel].orientation);
+  const uint8_t neighbours = model.upper_neighbours[voxel];
+  int count = 0;
+  const auto begin = [&](int axis) -> Bond<Real>&
+  {
+    Bond<Real>& bond = bonds[count];
+    bond.number = first_number + count;
+    bond.voxel_1 = &voxels[voxel];
+    bond.voxel_2 = &voxels[voxel + model.stride[axis]];
+    ++count;
+    return bond;
+  };
+  if ((neighbours & 1) != 0)
+  {
+    Bond<Real>& bond = begin(0);
+    deform<0>(model, axes, state.small_angle[bond.number], bond);
+  }
+  if ((neighbours & 2) != 0)
+  {
+    Bond<Real>& bond = begin(1);
+    deform<1>(model, axes, state.small_angle[bond.number], bond);
+  }
+  if ((neighbours & 4) != 0)
+  {
+    Bond<Real>& bond = begin(2);
+    deform<2>(model, axes, state.small_angle[bond.number], bond);
+  }
+  return count;
+}
+
+// Collisions of all voxels; then, group by group, the bonds to upper neighbours, after which no force on the group's
+// voxels is missing and nothing needs their old state any more, and their motion.
 template <class Real>
 void step(const BodyModel& model, const StepClock& clock, BatchState& state)
 {
@@ -619,31 +717,30 @@ void step(const BodyModel& model, const StepClock& clock, BatchState& state)
   const Real zero = constant<Real>(0.0);
   StepSums<Real> sums = { zero, zero, zero };
   applyCollisions(model, voxels, state);
-  int bond = 0;
-  for (int i = 0; i < model.voxel_count; ++i)
+  Bond<Real> bonds[3 * GROUP];
+  int first_number = 0;
+  for (int first = 0; first < model.voxel_count; first += GROUP)
   {
-    Voxel<Real>& voxel = voxels[i];
-    const Axes<Real> axes = bodyAxes(voxel.orientation);
-    const uint8_t neighbours = model.upper_neighbours[i];
-    if ((neighbours & 1) != 0)
+    const int end = first + GROUP < model.voxel_count ? first + GROUP : model.voxel_count;
+    int count = 0;
+    for (int voxel = first; voxel < end; ++voxel)
     {
-      applyBond<0>(model, clock.first_step, bond, axes, voxel, voxels[i + model.stride[0]], memories[bond],
-                   state.small_angle[bond], state);
-      ++bond;
+      count += deformBondsOf(voxel, first_number + count, model, voxels, state, bonds + count);
     }
-    if ((neighbours & 2) != 0)
+    for (int i = 0; i < count; ++i)
     {
-      applyBond<1>(model, clock.first_step, bond, axes, voxel, voxels[i + model.stride[1]], memories[bond],
-                   state.small_angle[bond], state);
-      ++bond;
+      rotateEnds(bonds[i]);
+      checkDivergence(model, bonds[i], state);
     }
-    if ((neighbours & 4) != 0)
+    for (int i = 0; i < count; ++i)
     {
-      applyBond<2>(model, clock.first_step, bond, axes, voxel, voxels[i + model.stride[2]], memories[bond],
-                   state.small_angle[bond], state);
-      ++bond;
+      applyForces(model, clock.first_step, bonds[i], memories[bonds[i].number]);
     }
-    moveVoxel(model, clock, model.in_top_layer[i] != 0, voxel, state.static_friction[i], sums);
+    for (int voxel = first; voxel < end; ++voxel)
+    {
+      moveVoxel(model, clock, model.in_top_layer[voxel] != 0, voxels[voxel], state.static_friction[voxel], sums);
+    }
+    first_number += count;
   }
   const Real inverse_mass_square = constant<Real>(model.inverse_mass * model.inverse_mass);
   const Real max_speed_square = inverse_mass_square * sums.max_momentum_square;

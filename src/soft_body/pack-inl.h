@@ -111,7 +111,7 @@ inline Pack8 operator/(Pack8 a, Pack8 b)
 }
 inline Pack8 operator-(Pack8 a)
 {
-  return { _mm512_xor_pd(a.v, _mm512_set1_pd(-0.0)) };
+  return { -a.v };
 }
 inline Mask8 operator<(Pack8 a, Pack8 b)
 {
@@ -212,7 +212,7 @@ inline Pack4 operator/(Pack4 a, Pack4 b)
 }
 inline Pack4 operator-(Pack4 a)
 {
-  return { _mm256_xor_pd(a.v, _mm256_set1_pd(-0.0)) };
+  return { -a.v };
 }
 inline Mask4 operator<(Pack4 a, Pack4 b)
 {
