@@ -17,8 +17,8 @@ ExperimentSettings extendedByCommitted(Connection& connection, ExperimentSetting
 {
   Query query = connection.query("SELECT max(trial), max(generation) FROM generations");
   query.next();
-  settings.trials = std::max(settings.trials, query.optionalInteger().value_or(0));
-  settings.generations = std::max(settings.generations, query.optionalInteger().value_or(0));
+  settings.trials = std::max(settings.trials, query.optionalNatural().value_or(0));
+  settings.generations = std::max(settings.generations, query.optionalNatural().value_or(0));
   return settings;
 }
 
@@ -59,25 +59,25 @@ std::unique_ptr<Archive> openArchiveForWriting(const ExperimentSettings& setting
   makeOutputFolder(output);
   auto lock = std::make_unique<WriterLock>(output);
   const std::string path = archivePath(output);
-  return guarded(path,
-                 [&]
-                 {
-                   Connection connection = connectForWriting(path, maximum_size);
-                   begin(connection, settings, provenance);
-                   return std::make_unique<SqliteArchive>(output, std::move(connection), std::move(lock));
-                 });
+  const auto open = [&]
+  {
+    Connection connection = connectForWriting(path, maximum_size);
+    begin(connection, settings, provenance);
+    return std::make_unique<SqliteArchive>(output, std::move(connection), std::move(lock));
+  };
+  return guarded(path, open);
 }
 
 std::unique_ptr<Archive> openArchiveForReading(const std::string& output)
 {
   const std::string folder = absolutePath(output);
   const std::string path = archivePath(folder);
-  return guarded(path,
-                 [&]
-                 {
-                   Connection connection = connectForReading(path);
-                   checkSchema(connection, path);
-                   return std::make_unique<SqliteArchive>(folder, std::move(connection), nullptr);
-                 });
+  const auto open = [&]
+  {
+    Connection connection = connectForReading(path);
+    checkSchema(connection, path);
+    return std::make_unique<SqliteArchive>(folder, std::move(connection), nullptr);
+  };
+  return guarded(path, open);
 }
 }  // namespace devo_evo

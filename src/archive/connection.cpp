@@ -40,14 +40,21 @@ bool Query::skipNull()
   return true;
 }
 
-int64_t Query::integer()
+int64_t Query::natural()
 {
-  return column(SQLITE_INTEGER, "an integer").getInt64();
+  constexpr int64_t MAXIMUM = int64_t(1) << 53;  // more than any of ours; exact in whatever reads the file
+  const SQLite::Column column = this->column(SQLITE_INTEGER, "an integer");
+  const int64_t value = column.getInt64();
+  if (value < 0 || value > MAXIMUM)
+  {
+    throw DamagedArchive(std::string("column '") + column.getName() + "' holds " + std::to_string(value));
+  }
+  return value;
 }
 
-std::optional<int64_t> Query::optionalInteger()
+std::optional<int64_t> Query::optionalNatural()
 {
-  return skipNull() ? std::nullopt : std::optional<int64_t>(integer());
+  return skipNull() ? std::nullopt : std::optional<int64_t>(natural());
 }
 
 double Query::real()
@@ -171,6 +178,8 @@ std::string adviceFor(const std::string& path, int code)
       return "it is not an SQLite database; choose another output folder";
     case SQLITE_CORRUPT:
       return "it is damaged; restore a copy, or save what is left with `sqlite3 FILE .recover`";
+    case SQLITE_ERROR:
+      return "its tables are not those of an archive; restore a copy";
     default:
       return "SQLite refuses";
   }

@@ -44,8 +44,8 @@ public:
   void run();
 
   /// The present row's next column. @throw DamagedArchive if it is of another type.
-  int64_t integer();
-  std::optional<int64_t> optionalInteger();  ///< NULL: none
+  int64_t natural();                         ///< @throw DamagedArchive also unless it is within 0 to 2^53
+  std::optional<int64_t> optionalNatural();  ///< NULL: none
   double real();                             ///< NULL: NaN
   std::optional<double> optionalReal();      ///< NULL: none
   std::string text();

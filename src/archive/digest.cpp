@@ -1,6 +1,7 @@
 #include "archive/digest.h"
 
 #include "archive/bytes.h"
+#include "archive/generation_table.h"
 #include "evolution/sha256.h"
 
 namespace devo_evo
@@ -49,12 +50,12 @@ private:
       return;
     }
     Newcomer newcomer;
-    newcomer.id = query_.integer();
-    newcomer.parent = query_.optionalInteger().value_or(Individual::NO_PARENT);
-    newcomer.generation = query_.integer();
-    newcomer.age = query_.integer();
+    newcomer.id = query_.natural();
+    newcomer.parent = query_.optionalNatural().value_or(Individual::NO_PARENT);
+    newcomer.generation = query_.natural();
+    newcomer.age = query_.natural();
     newcomer.genome_hash = query_.hash();
-    newcomer.valid = query_.integer() != 0;
+    newcomer.valid = query_.natural() != 0;
     newcomer.fitness = query_.optionalReal().value_or(0.0);
     const auto state_hash = query_.optionalBlob(sizeof(uint64_t));
     newcomer.state_hash = state_hash ? hashFromBytes(*state_hash) : 0;
@@ -64,16 +65,6 @@ private:
   Query query_;
   std::optional<Newcomer> present_;
 };
-
-std::vector<int64_t> column(Query query)
-{
-  std::vector<int64_t> values;
-  while (query.next())
-  {
-    values.push_back(query.integer());
-  }
-  return values;
-}
 
 void add(Sha256& sha, const Newcomer& newcomer)
 {
@@ -86,17 +77,17 @@ void add(Sha256& sha, const Newcomer& newcomer)
 void addTrial(Sha256& sha, Connection& connection, int64_t trial)
 {
   Newcomers newcomers(connection, trial);
-  for (const int64_t generation :
-       column(connection.query("SELECT generation FROM generations WHERE trial = ? ORDER BY generation", trial)))
+  Query generations = connection.query("SELECT generation FROM generations WHERE trial = ? ORDER BY generation", trial);
+  while (generations.next())
   {
+    const int64_t generation = generations.natural();
     const std::vector<Newcomer> born = newcomers.bornIn(generation);
     sha.add(trial).add(generation).add(static_cast<int64_t>(born.size()));
     for (const Newcomer& newcomer : born)
     {
       add(sha, newcomer);
     }
-    const std::vector<int64_t> survivors = column(connection.query(
-        "SELECT id FROM survivors WHERE trial = ? AND generation = ? ORDER BY rank", trial, generation));
+    const std::vector<int64_t> survivors = findSurvivors(connection, trial, generation);
     sha.add(static_cast<int64_t>(survivors.size()));
     for (const int64_t id : survivors)
     {
@@ -121,7 +112,7 @@ std::string computeDigest(Connection& connection)
 {
   Sha256 sha;
   sha.add(std::string("devo_evo digest 1\n"));
-  for (const int64_t trial : column(connection.query("SELECT DISTINCT trial FROM generations ORDER BY trial")))
+  for (const int64_t trial : findTrials(connection))
   {
     addTrial(sha, connection, trial);
   }

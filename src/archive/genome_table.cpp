@@ -122,7 +122,7 @@ void pruneGenomes(Connection& connection, int64_t trial, const std::vector<int64
       std::optional<int64_t> parent;
       {
         Query query = connection.query("SELECT parent FROM genomes WHERE trial = ? AND id = ?", trial, *id);
-        parent = query.next() ? query.optionalInteger() : std::nullopt;
+        parent = query.next() ? query.optionalNatural() : std::nullopt;
       }
       connection.query("DELETE FROM genomes WHERE trial = ? AND id = ?", trial, *id).run();
       id = parent;

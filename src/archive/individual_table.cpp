@@ -2,6 +2,8 @@
 
 #include "archive/bytes.h"
 
+#include <cmath>
+
 namespace devo_evo
 {
 namespace
@@ -20,8 +22,12 @@ std::optional<double> withoutNegativeZero(const std::optional<double>& value)
 Evaluation readEvaluation(Query& query)
 {
   Evaluation evaluation;
-  evaluation.valid = query.integer() != 0;
+  evaluation.valid = query.natural() != 0;
   evaluation.fitness = query.real();
+  if (evaluation.valid == std::isnan(evaluation.fitness))
+  {
+    throw DamagedArchive("a valid individual has no fitness, or an invalid one has");
+  }
   evaluation.displacement_y_voxels = query.real();
   evaluation.displacement_xy_voxels = query.real();
   evaluation.first_top_contact_since_birth_s = query.optionalReal();
@@ -32,8 +38,8 @@ Evaluation readEvaluation(Query& query)
   {
     evaluation.state_hash = hashFromBytes(*state_hash);
   }
-  const auto step = query.optionalInteger();
-  const auto bond = query.optionalInteger();
+  const auto step = query.optionalNatural();
+  const auto bond = query.optionalNatural();
   const double strain = query.real();
   if (!evaluation.valid)
   {
@@ -86,16 +92,16 @@ std::optional<IndividualRow> findIndividual(Connection& connection, int64_t tria
   Individual& individual = row.archived.individual;
   individual.trial = trial;
   individual.id = id;
-  individual.parent = query.optionalInteger().value_or(Individual::NO_PARENT);
-  individual.generation = query.integer();
-  individual.age = query.integer();
+  individual.parent = query.optionalNatural().value_or(Individual::NO_PARENT);
+  individual.generation = query.natural();
+  individual.age = query.natural();
   row.archived.morphology_window = query.real();
   row.archived.control_window = query.real();
   row.genome_hash = query.hash();
   individual.evaluation = readEvaluation(query);
-  if (individual.parent >= id)
+  if (individual.parent >= id || individual.age > individual.generation)
   {
-    throw DamagedArchive("individual " + individualName(trial, id) + " is older than its parent");
+    throw DamagedArchive("individual " + individualName(trial, id) + " is older than its parent or its trial");
   }
   return row;
 }
@@ -120,10 +126,10 @@ std::optional<Evaluation> findEvaluationOf(Connection& connection, const Hash128
   return query.next() ? std::optional<Evaluation>(readEvaluation(query)) : std::nullopt;
 }
 
-int64_t nextId(Connection& connection, int64_t trial)
+int64_t findNextId(Connection& connection, int64_t trial)
 {
   Query query = connection.query("SELECT max(id) FROM individuals WHERE trial = ?", trial);
   query.next();
-  return query.optionalInteger().value_or(-1) + 1;
+  return query.optionalNatural().value_or(-1) + 1;
 }
 }  // namespace devo_evo

@@ -26,5 +26,5 @@ IndividualRow readIndividualRow(Connection& connection, int64_t trial, int64_t i
 std::optional<Evaluation> findEvaluationOf(Connection& connection, const Hash128& phenotype_hash);
 
 /// The lowest id never given in a trial.
-int64_t nextId(Connection& connection, int64_t trial);
+int64_t findNextId(Connection& connection, int64_t trial);
 }  // namespace devo_evo

@@ -4,6 +4,7 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <sys/vfs.h>
 #include <unistd.h>
 
@@ -145,6 +146,15 @@ std::string networkFileSystem(const std::string& path)
   }
   const auto found = NETWORK_FILE_SYSTEMS.find(type);
   return found != NETWORK_FILE_SYSTEMS.end() ? found->second : "";
+}
+
+std::pair<uint64_t, uint64_t> fileIdentity(const std::string& path)
+{
+  struct stat information
+  {
+  };
+  return stat(path.c_str(), &information) == 0 ? std::pair<uint64_t, uint64_t>(information.st_dev, information.st_ino)
+                                               : std::pair<uint64_t, uint64_t>(0, 0);
 }
 
 WriterLock::WriterLock(const std::string& output)

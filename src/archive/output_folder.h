@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
+#include <utility>
 
 namespace devo_evo
 {
@@ -17,6 +19,9 @@ std::string networkFileSystem(const std::string& path);
 /// @param mounts text as in /proc/self/mountinfo.
 /// @param path   absolute and free of symbolic links.
 std::string fuseNetworkFileSystem(const std::string& mounts, const std::string& path);
+
+/// What tells a file from every other: device and inode. Zeros if there is no such file.
+std::pair<uint64_t, uint64_t> fileIdentity(const std::string& path);
 
 /// The right to write to an output folder, held by at most one process. The system takes it back however the process
 /// ends.

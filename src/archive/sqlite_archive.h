@@ -28,17 +28,28 @@ public:
   std::string digest() const override;
 
 private:
-  std::optional<int64_t> lastGeneration(int64_t trial) const;
-  std::vector<int64_t> survivorsOf(int64_t trial, int64_t generation) const;
-  void checkRecord(const GenerationRecord& record) const;
-  void insertRecord(const GenerationRecord& record);
-  void updateGenomes(const GenerationRecord& record);
-  Individual readSurvivor(int64_t trial, int64_t id, int64_t generation) const;
+  /// Runs an operation on one unchanging view of the file. @throw ArchiveError for failures of SQLite and damage.
+  template <class Operation>
+  auto reading(Operation operation) const
+  {
+    const auto operation_on_snapshot = [&]
+    {
+      const Snapshot snapshot(connection_);
+      return operation();
+    };
+    return guarded(path_, operation_on_snapshot);
+  }
+
+  void checkWritable() const;
+  void write(const GenerationRecord& record);
+  TrialState stateOf(int64_t trial) const;
+  Individual survivor(int64_t trial, int64_t id, int64_t generation) const;
   std::vector<ArchivedIndividual> descent(int64_t trial, int64_t id, bool all_ancestors) const;
 
   const std::string output_;
   const std::string path_;
-  std::unique_ptr<WriterLock> lock_;  // outlives the connection
+  const std::pair<uint64_t, uint64_t> file_;  // its identity
+  std::unique_ptr<WriterLock> lock_;          // outlives the connection
   mutable Connection connection_;
   ExperimentSettings settings_;
   Lattice lattice_;

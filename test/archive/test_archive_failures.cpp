@@ -184,10 +184,19 @@ TEST_F(FailureTest, nonsenseInTheTablesIsNoticed)
     "UPDATE individuals SET parent = id",
     "UPDATE individuals SET parent = id + 1",
     "UPDATE individuals SET age = 'old'",
+    "UPDATE individuals SET age = 9223372036854775807",
+    "UPDATE individuals SET age = generation + 1",
+    "UPDATE individuals SET generation = generation + 100, age = 0",
+    "UPDATE individuals SET fitness = NULL",
+    "UPDATE individuals SET valid = 1 - valid",
+    "UPDATE individuals SET fitness = 'far'",
     "UPDATE individuals SET genome_hash = 'sixteen letters!'",
     "UPDATE individuals SET phenotype_hash = x'00'",
     "UPDATE survivors SET id = 999999",
     "UPDATE survivors SET id = 'me'",
+    "UPDATE generations SET generation = generation + 9223372036854775800",
+    "UPDATE generations SET generation = generation + 1000",
+    "UPDATE generations SET generation = -1 - generation",
     "UPDATE parameters SET value = '-3' WHERE name = 'population'",
     "UPDATE parameters SET value = '64x64x64' WHERE name = 'grid'",
     "DELETE FROM individuals",
@@ -259,6 +268,16 @@ TEST_F(FailureTest, aDiskThatIsFullFromTheStart)
       messageOf<ArchiveError>([&] { openArchiveForWriting(settings_, someProvenance(), 4096); });
   EXPECT_TRUE(contains(message, "no space left"));
   EXPECT_EQ(failureToWrite(), "");
+}
+
+TEST_F(FailureTest, aFileThatWasMovedWhileItWasWrittenTo)
+{
+  const auto archive = openArchiveForWriting(settings_, someProvenance());
+  evolve(*archive, settings_, 1, 3);
+  std::filesystem::rename(file(), file() + ".moved");
+  EXPECT_TRUE(contains(messageOf<ArchiveError>([&] { evolve(*archive, settings_, 1, 4); }), "was moved"));
+  std::filesystem::rename(file() + ".moved", file());
+  evolve(*archive, settings_, 1, 4);
 }
 
 TEST_F(FailureTest, networkFileSystemsAreTold)
