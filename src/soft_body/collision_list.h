@@ -24,13 +24,29 @@ public:
   const std::vector<CollisionPair>& pairs() const { return pairs_; }
 
 private:
-  void list(const double* voxels, int robot);
+  /// One robot's state, read from the batch's arrays.
+  struct Body
+  {
+    const double* voxels;
+    int lanes;
+    int robot;
 
+    double at(int voxel, int field) const { return voxels[(voxel * VOXEL_FIELDS + field) * lanes + robot]; }
+  };
+
+  bool isClose(const Body& body, int voxel_a, int voxel_b) const;
+  void findAmongCandidates(const Body& body);
+  void findByCells(const Body& body);
+  void list(const Body& body);
+
+  Lattice lattice_;
   double voxel_size_;
   int lanes_;
   bool listed_before_ = false;
   std::vector<double> motion_;             ///< (robots): farthest that a voxel can have moved, in voxel sizes
-  std::vector<CollisionPair> candidates_;  ///< all pairs far enough apart in the lattice
+  std::vector<CollisionPair> candidates_;  ///< of a small body: all pairs far enough apart in the lattice
+  std::vector<CollisionPair> found_;       ///< the close pairs of one robot, ascending
   std::vector<CollisionPair> pairs_;
+  std::vector<CollisionPair> merged_;  ///< kept to save allocations
 };
 }  // namespace devo_evo

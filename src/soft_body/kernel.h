@@ -117,6 +117,7 @@ struct Kernel
 
 /// The kernels in this program; null where the compiler's target has none.
 const Kernel* scalarKernel();
+const Kernel* scalarFmaKernel();  ///< the scalar one for x86-64 processors that fuse multiply and add: faster, as equal
 const Kernel* avx2Kernel();
 const Kernel* avx512Kernel();
 }  // namespace devo_evo

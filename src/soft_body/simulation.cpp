@@ -311,6 +311,17 @@ private:
   double time_ = 0.0;
 };
 
+const Kernel* fastestScalarKernel()
+{
+#if defined(__x86_64__)
+  if (scalarFmaKernel() != nullptr && __builtin_cpu_supports("fma"))
+  {
+    return scalarFmaKernel();
+  }
+#endif
+  return scalarKernel();
+}
+
 const Kernel* kernelFor(InstructionSet instruction_set)
 {
   switch (instruction_set)
@@ -322,7 +333,7 @@ const Kernel* kernelFor(InstructionSet instruction_set)
     case InstructionSet::SCALAR:
       break;
   }
-  return scalarKernel();
+  return fastestScalarKernel();
 }
 }  // namespace
 
