@@ -163,17 +163,18 @@ Connection connectForWriting(const std::string& path, int64_t maximum_size)
 
 Connection connectForReading(const std::string& path)
 {
-  if (!std::filesystem::exists(path))
+  std::error_code error;
+  if (!std::filesystem::exists(path, error))
   {
-    throw ArchiveError("there is no archive " + path + "; name the output folder of an experiment");
+    throw ArchiveError("there is no archive " + path + (error ? " to be seen (" + error.message() + ")" : "") +
+                       "; name the output folder of an experiment");
   }
   SQLite::Database database(path, SQLite::OPEN_READONLY, BUSY_TIMEOUT_MS);
   const std::string folder = std::filesystem::path(path).parent_path().string();
   if (!isReadable(database) && access(folder.c_str(), W_OK) != 0)
   {
     // In a folder that must not be written, SQLite cannot set up the memory that readers share with a writer. Without a
-    // log there is no writer, and none is needed.
-    std::error_code error;
+    // log (as in a copy made while nothing was written) there is no writer, and none is needed.
     const std::string log = path + "-wal";
     if (std::filesystem::exists(log, error) && std::filesystem::file_size(log, error) != 0)
     {

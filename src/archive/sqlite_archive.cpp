@@ -23,8 +23,10 @@ SqliteArchive::~SqliteArchive()
 {
   if (lock_)
   {
-    // So that experiment.db alone is the whole experiment, even if a reader keeps the log in being.
-    connection_.database().tryExec("PRAGMA busy_timeout = 1000; PRAGMA wal_checkpoint(TRUNCATE)");
+    // A finished experiment is one plain file, which anything can read anywhere; with somebody reading, at least its
+    // log is empty.
+    connection_.database().tryExec("PRAGMA busy_timeout = 1000; PRAGMA journal_mode = DELETE");
+    connection_.database().tryExec("PRAGMA wal_checkpoint(TRUNCATE)");
   }
 }
 

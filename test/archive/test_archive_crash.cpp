@@ -11,6 +11,7 @@
 #include <sys/wait.h>
 
 #include <chrono>
+#include <set>
 #include <thread>
 
 namespace devo_evo::test
@@ -173,18 +174,56 @@ TEST_F(CrashTest, theArchiveOfAKilledWriterCanBeRead)
   EXPECT_GE(openArchiveForReading(settings_.output)->trialStates().at(TRIAL).generation, last);
 }
 
-TEST_F(CrashTest, aFinishedArchiveIsOneFileThatCanBeReadInAFolderThatMustNotBeWritten)
+TEST_F(CrashTest, aFinishedArchiveIsOneFileAndReadingLeavesNothing)
 {
   evolve(*openArchiveForWriting(settings_, someProvenance()), settings_, TRIAL, 5);
-  EXPECT_FALSE(std::filesystem::exists(archivePath(settings_.output) + "-wal"));
-  const std::string folder = settings_.output + "/100% mine? #1";
-  std::filesystem::create_directory(folder);
-  std::filesystem::copy(archivePath(settings_.output), archivePath(folder));
-  const std::string digest = openArchiveForReading(folder)->digest();
+  openArchiveForReading(settings_.output)->digest();
+  std::set<std::string> files;
+  for (const auto& entry : std::filesystem::directory_iterator(settings_.output))
+  {
+    files.insert(entry.path().filename());
+  }
+  EXPECT_EQ(files, (std::set<std::string>{ "experiment.db", "experiment.lock" }));
+}
+
+TEST_F(CrashTest, aWriterMayEndWhileSomebodyReads)
+{
+  auto writer = openArchiveForWriting(settings_, someProvenance());
+  evolve(*writer, settings_, TRIAL, 5);
+  const auto reader = openArchiveForReading(settings_.output);
+  const std::string digest = reader->digest();
+  SQLite::Database other = openFile(settings_.output);
+  SQLite::Statement reading(other, "SELECT id FROM individuals");
+  reading.executeStep();
+  writer.reset();
+  EXPECT_EQ(reader->digest(), digest);
+  reading.reset();
+  evolve(*openArchiveForWriting(settings_, someProvenance()), settings_, TRIAL, 6);
+  EXPECT_EQ(reader->trialStates().at(TRIAL).generation, 6);
+}
+
+TEST_F(CrashTest, copiesCanBeReadInAFolderThatMustNotBeWritten)
+{
+  const std::string finished = settings_.output + "/100% mine? #1";
+  const std::string running = settings_.output + "/running";
+  std::string digest;
+  {
+    const auto archive = openArchiveForWriting(settings_, someProvenance());
+    evolve(*archive, settings_, TRIAL, 5);
+    digest = archive->digest();
+    openFile(settings_.output, SQLite::OPEN_READWRITE).exec("PRAGMA wal_checkpoint(TRUNCATE)");
+    std::filesystem::create_directory(running);
+    std::filesystem::copy(archivePath(settings_.output), archivePath(running));
+  }
+  std::filesystem::create_directory(finished);
+  std::filesystem::copy(archivePath(settings_.output), archivePath(finished));
   chmod(settings_.output.c_str(), 0755);
-  chmod(folder.c_str(), 0555);
-  EXPECT_TRUE(succeedsAsOrdinaryUser([&] { return openArchiveForReading(folder)->digest() == digest; }));
-  chmod(folder.c_str(), 0755);
+  for (const std::string& folder : { finished, running })
+  {
+    chmod(folder.c_str(), 0555);
+    EXPECT_TRUE(succeedsAsOrdinaryUser([&] { return openArchiveForReading(folder)->digest() == digest; })) << folder;
+    chmod(folder.c_str(), 0755);
+  }
 }
 
 TEST_F(CrashTest, whatAKilledWriterLeftCanBeReadByOthersOrTheySayWhyNot)

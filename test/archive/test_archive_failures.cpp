@@ -57,6 +57,14 @@ TEST_F(FailureTest, noArchiveToRead)
   EXPECT_TRUE(contains(failureToRead(), "there is no archive " + file()));
 }
 
+TEST_F(FailureTest, aFolderThatMustNotBeLookedInto)
+{
+  openArchiveForWriting(settings_, someProvenance());
+  chmod(folder_.path().c_str(), 0000);
+  EXPECT_TRUE(succeedsAsOrdinaryUser([&] { return contains(failureToRead(), "Permission denied"); }));
+  chmod(folder_.path().c_str(), 0755);
+}
+
 TEST_F(FailureTest, aFileWhereTheFolderShouldBe)
 {
   settings_.output += "/file";
