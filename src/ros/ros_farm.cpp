@@ -1,0 +1,89 @@
+#include "ros/ros_farm.h"
+
+#include "ros/conversions.h"
+
+#include <ros/console.h>
+#include <ros/service_client.h>
+
+#include <mutex>
+
+namespace devo_evo
+{
+namespace
+{
+/// A connection by one persistent service client. roscpp never times a call out, but a client that is shut down by
+/// another thread returns from it.
+class ServiceConnection : public SimulatorConnection
+{
+public:
+  explicit ServiceConnection(const std::string& service) : service_(service) {}
+
+  bool call(const EvaluateGenomes::Request& request, EvaluateGenomes::Response& response) override
+  {
+    ros::ServiceClient client = connectedClient();
+    return client.isValid() && client.call(request, response, ros::service_traits::md5sum<EvaluateGenomes>());
+  }
+
+  void abort() override
+  {
+    ros::ServiceClient client;
+    {
+      std::lock_guard<std::mutex> lock(mutex_);
+      aborted_ = true;
+      client = client_;
+    }
+    client.shutdown();
+  }
+
+private:
+  /// The client, made on first use, in the thread that calls: it is looked up at the master, which may take minutes
+  /// when the network loses packets and cannot be interrupted. Invalid if the connection was aborted meanwhile.
+  ros::ServiceClient connectedClient()
+  {
+    {
+      std::lock_guard<std::mutex> lock(mutex_);
+      if (aborted_ || client_.isValid())
+      {
+        return aborted_ ? ros::ServiceClient() : client_;
+      }
+    }
+    ros::ServiceClient client(service_, true, ros::M_string(), ros::service_traits::md5sum<EvaluateGenomes>());
+    std::lock_guard<std::mutex> lock(mutex_);
+    client_ = client;
+    return aborted_ ? ros::ServiceClient() : client;
+  }
+
+  const std::string service_;
+  std::mutex mutex_;
+  ros::ServiceClient client_;
+  bool aborted_ = false;
+};
+}  // namespace
+
+RosFarm::RosFarm(ros::NodeHandle node, const SimulatorFarmSettings& settings)
+  : farm_(settings,
+          [](const SimulatorAnnouncement& simulator) { return std::make_shared<ServiceConnection>(simulator.service); })
+  , announcements_(node.subscribe("simulators", 1000, &RosFarm::heardFrom, this))
+{
+}
+
+bool RosFarm::close()
+{
+  announcements_.shutdown();
+  return farm_.close();
+}
+
+void RosFarm::heardFrom(const SimulatorAnnouncement& announcement)
+{
+  try
+  {
+    validate(announcement);
+  }
+  catch (const InvalidInput& e)
+  {
+    ROS_WARN_STREAM_THROTTLE(10.0, "ignored an announcement of a simulator: " << e.what());
+    return;
+  }
+  farm_.heardFrom(announcement);
+}
+}  // namespace devo_evo
