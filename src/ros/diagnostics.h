@@ -1,0 +1,35 @@
+#pragma once
+
+#include "devo_evo/farm/farm.h"
+
+#include <diagnostic_msgs/DiagnosticArray.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace devo_evo
+{
+/// How an experiment is doing, for people.
+struct ExperimentStatus
+{
+  std::string output;
+  int64_t trials = 0;
+  int64_t trials_finished = 0;
+  int64_t generations = 0;
+  int64_t generations_committed = 0;  ///< in all trials, generation 0 included, also by earlier runs
+  int64_t total_evaluations = 0;
+  double evaluations_per_s = 0.0;
+  double remaining_s = 0.0;  ///< NaN while unknown
+  bool paused = false;
+};
+
+/// How many of the workers take work.
+int64_t usableWorkers(const std::vector<WorkerStatus>& workers);
+
+/// One status on the experiment (a warning while it is paused or has no simulator), then one on each simulator (a
+/// warning if it is lost, an error if it was refused).
+/// @param node name of the node that publishes it.
+diagnostic_msgs::DiagnosticArray diagnosticsOf(const std::string& node, const ExperimentStatus& experiment,
+                                               const std::vector<WorkerStatus>& workers);
+}  // namespace devo_evo

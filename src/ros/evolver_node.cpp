@@ -1,0 +1,242 @@
+#include "ros/evolver_node.h"
+
+#include "devo_evo/experiment/build_info.h"
+#include "devo_evo/experiment/report_text.h"
+#include "devo_evo/soft_body/simulation.h"
+#include "ros/conversions.h"
+#include "ros/node_main.h"
+
+#include <ros/console.h>
+#include <ros/init.h>
+#include <ros/this_node.h>
+
+#include <algorithm>
+#include <iostream>
+
+namespace devo_evo
+{
+namespace
+{
+constexpr std::chrono::seconds DIAGNOSTICS_PERIOD{ 1 };
+constexpr std::chrono::seconds FIRST_WARNING{ 5 };      // after how long without a simulator
+constexpr std::chrono::seconds LONGEST_WARNING{ 300 };  // between warnings, which become rarer
+constexpr std::chrono::seconds SHORTEST_PROGRESS{ 1 };  // between lines on progress, which become rarer
+constexpr std::chrono::seconds LONGEST_PROGRESS{ 60 };
+constexpr double LAST_MESSAGES = 0.3;  // for how long subscribers can still be sent what was published last [s]
+
+/// The arguments say where results go; without one, a folder of the user's.
+ExperimentSettings settingsOf(const Parameters& parameters)
+{
+  ExperimentSettings settings = parameters.experiment;
+  if (settings.output.empty())
+  {
+    settings.output = defaultOutput(settings);
+  }
+  settings.validate();
+  return settings;
+}
+
+Provenance provenanceOf(uint64_t fingerprint)
+{
+  Provenance provenance = localProvenance(toString(bestInstructionSet()));
+  provenance.engine_fingerprint = fingerprint;
+  return provenance;
+}
+
+SimulatorFarmSettings farmSettings(const Parameters& parameters, const SoftBodySettings& body, uint64_t fingerprint)
+{
+  SimulatorFarmSettings settings;
+  settings.body = body;
+  settings.engine_fingerprint = fingerprint;
+  settings.batch_timeout = std::chrono::duration<double>(parameters.batch_timeout);
+  return settings;
+}
+
+/// Also where ROS has been shut down from outside, after which its log says nothing more.
+void say(const std::string& text)
+{
+  if (ros::ok())
+  {
+    ROS_INFO_STREAM(text);
+  }
+  else
+  {
+    std::cout << text << std::endl;
+  }
+}
+
+bool isBetter(const EvolvedRobot& candidate, const EvolvedRobot& present)
+{
+  return candidate.evaluation.valid &&
+         (!present.evaluation.valid || candidate.evaluation.fitness > present.evaluation.fitness);
+}
+}  // namespace
+
+EvolverNode::EvolverNode(const Parameters& parameters)
+  : EvolverNode(parameters, settingsOf(parameters), engineFingerprint())
+{
+}
+
+EvolverNode::EvolverNode(const Parameters& parameters, const ExperimentSettings& settings, uint64_t fingerprint)
+  : settings_(settings)
+  , archive_(openArchiveForWriting(settings_, provenanceOf(fingerprint)))
+  , farm_(node_, farmSettings(parameters, settings_.body, fingerprint))
+  , experiment_(settings_, *archive_, farm_, *this)
+  , archive_services_(node_, settings_.output)
+  , callbacks_(2)
+{
+  generation_ = node_.advertise<GenerationSummary>("generation", 100);
+  champion_ = node_.advertise<EvolvedRobot>("champion", 100, true);
+  best_publisher_ = node_.advertise<EvolvedRobot>("best", 1, true);
+  diagnostics_ = node_.advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", 10);
+  pause_ = node_.advertiseService("pause", &EvolverNode::pause, this);
+  resume_ = node_.advertiseService("resume", &EvolverNode::resume, this);
+  stop_ = node_.advertiseService("stop", &EvolverNode::stop, this);
+
+  status_.output = settings_.output;
+  status_.trials = settings_.trials;
+  status_.generations = settings_.generations;
+  status_.remaining_s = Evaluation::NONE;
+  takeUp();
+}
+
+/// Counts and publishes what earlier runs have done.
+void EvolverNode::takeUp()
+{
+  for (const auto& [number, state] : archive_->trialStates())
+  {
+    if (number > settings_.trials)
+    {
+      continue;
+    }
+    status_.generations_committed += state.generation + 1;
+    status_.trials_finished += state.generation >= settings_.generations ? 1 : 0;
+    const ArchivedIndividual champion = archive_->readIndividual(number, archive_->championOf(number));
+    publishChampion(toMsg(champion, settings_.evolution));
+  }
+}
+
+RunOutcome EvolverNode::run()
+{
+  const ScopedInterruption interruption;
+  say("evolving in " + settings_.output + (status_.generations_committed > 0 ? ", resumed" : ""));
+  warnIfNobodyWorks(true);
+  started_ = Clock::now();
+  callbacks_.start();
+  const RunOutcome outcome = experiment_.run();
+  publishDiagnostics();
+  say((outcome == RunOutcome::FINISHED ? "finished\n" : "stopped\n") + resultsText(*archive_, settings_.output) +
+      (outcome == RunOutcome::FINISHED ? "To go on: the same command with more generations or trials"
+                                       : "To go on: the same command"));
+  ros::WallDuration(LAST_MESSAGES).sleep();
+  return outcome;
+}
+
+bool EvolverNode::close()
+{
+  callbacks_.stop();
+  return farm_.close();
+}
+
+void EvolverNode::generationCommitted(const GenerationReport& report)
+{
+  ++status_.generations_committed;
+  status_.trials_finished += report.record.generation == settings_.generations ? 1 : 0;
+  status_.total_evaluations = report.total_evaluations;
+  status_.evaluations_per_s = report.evaluations_per_s;
+  status_.remaining_s = report.remaining_s;
+  generation_.publish(toMsg(report, settings_));
+  publishChampion(toMsg(report.champion, report.record.generation, settings_.evolution));
+  showProgress(report);
+}
+
+/// A line at most every second, and ever fewer the longer it takes; but always one on a trial's last generation.
+void EvolverNode::showProgress(const GenerationReport& report)
+{
+  const Clock::time_point now = Clock::now();
+  if (now < next_progress_ && report.record.generation != settings_.generations)
+  {
+    return;
+  }
+  say(progressText(report, settings_));
+  next_progress_ = now + std::clamp<Clock::duration>((now - started_) / 50, SHORTEST_PROGRESS, LONGEST_PROGRESS);
+}
+
+void EvolverNode::publishChampion(const EvolvedRobot& champion)
+{
+  champion_.publish(champion);
+  if (!best_ || isBetter(champion, *best_))
+  {
+    best_ = champion;
+    best_publisher_.publish(champion);
+  }
+}
+
+void EvolverNode::tick()
+{
+  if (ScopedInterruption::happened() || !ros::ok())
+  {
+    experiment_.stopNow();
+    return;
+  }
+  const Clock::time_point now = Clock::now();
+  if (now - diagnosed_ >= DIAGNOSTICS_PERIOD)
+  {
+    diagnosed_ = now;
+    publishDiagnostics();
+  }
+}
+
+void EvolverNode::publishDiagnostics()
+{
+  const std::vector<WorkerStatus> workers = farm_.status();
+  status_.paused = experiment_.paused();
+  diagnostics_.publish(diagnosticsOf(ros::this_node::getName(), status_, workers));
+  warnIfNobodyWorks(usableWorkers(workers) > 0);
+}
+
+void EvolverNode::warnIfNobodyWorks(bool somebody_does)
+{
+  const Clock::time_point now = Clock::now();
+  if (somebody_does || status_.paused)
+  {
+    last_usable_ = now;
+    next_warning_ = FIRST_WARNING;
+  }
+  else if (now - last_usable_ >= next_warning_)
+  {
+    ROS_WARN_STREAM("waiting: no simulator has announced itself on " << node_.resolveName("simulators")
+                                                                     << "; start some with: roslaunch devo_evo "
+                                                                        "simulators.launch");
+    next_warning_ = std::min(2 * next_warning_, LONGEST_WARNING);
+    last_usable_ = now;
+  }
+}
+
+bool EvolverNode::pause(std_srvs::Trigger::Request& /*request*/, std_srvs::Trigger::Response& response)
+{
+  experiment_.pause();
+  response.success = true;
+  response.message = "paused: generations that run are finished, no new one begins until resume is called";
+  ROS_INFO_STREAM(response.message);
+  return true;
+}
+
+bool EvolverNode::resume(std_srvs::Trigger::Request& /*request*/, std_srvs::Trigger::Response& response)
+{
+  response.success = true;
+  response.message = experiment_.paused() ? "resumed" : "was not paused";
+  experiment_.resume();
+  ROS_INFO_STREAM(response.message);
+  return true;
+}
+
+bool EvolverNode::stop(std_srvs::Trigger::Request& /*request*/, std_srvs::Trigger::Response& response)
+{
+  experiment_.stopAfterGeneration();
+  response.success = true;
+  response.message = "stopping: generations that run are finished first";
+  ROS_INFO_STREAM(response.message);
+  return true;
+}
+}  // namespace devo_evo

@@ -1,0 +1,118 @@
+#include "ros/simulator_node.h"
+
+#include "devo_evo/experiment/build_info.h"
+#include "devo_evo/soft_body/text.h"
+#include "ros/conversions.h"
+#include "ros/node_main.h"
+
+#include <ros/console.h>
+#include <ros/this_node.h>
+
+#include <unistd.h>
+
+namespace devo_evo
+{
+namespace
+{
+void requireSameEngine(uint64_t wanted, uint64_t own)
+{
+  if (wanted != 0 && wanted != own)
+  {
+    throw InvalidInput("the engine fingerprint of this simulator is " + hashToString(own) + ", its version " +
+                       versionText() + "; the engine fingerprint asked for is " + hashToString(wanted));
+  }
+}
+
+std::vector<DevelopmentalProgram> programsOf(const std::vector<EvaluationRequest>& robots)
+{
+  std::vector<DevelopmentalProgram> programs;
+  for (const EvaluationRequest& robot : robots)
+  {
+    programs.push_back(robot.program);
+  }
+  return programs;
+}
+}  // namespace
+
+SimulatorNode::SimulatorNode(InstructionSet instruction_set, double announcement_period_s)
+  : instruction_set_(instruction_set)
+  , announcement_period_s_(announcement_period_s)
+  , fingerprint_(engineFingerprint(instruction_set))
+  , private_node_("~")
+  , evaluation_thread_(1, &requests_)
+{
+  announcements_ = node_.advertise<SimulatorAnnouncement>("simulators", 1, true);
+  velocity_ = node_.advertise<VelocityTelemetry>("velocity", 1000);
+  private_node_.setCallbackQueue(&requests_);
+  service_ = private_node_.advertiseService("evaluate", &SimulatorNode::evaluate, this);
+  evaluation_thread_.start();
+  announcement_timer_ = node_.createSteadyTimer(ros::WallDuration(announcement_period_s),
+                                                [this](const ros::SteadyTimerEvent&) { announce(); });
+  announce();
+  ROS_INFO_STREAM("simulating with " << toString(instruction_set) << ", " << laneCount(instruction_set)
+                                     << " robots in lock-step; engine fingerprint " << hashToString(fingerprint_));
+}
+
+SimulatorNode::~SimulatorNode()
+{
+  announcement_timer_.stop();
+  stop_ = true;
+  service_.shutdown();
+  evaluation_thread_.stop();
+}
+
+bool SimulatorNode::evaluate(Evaluate& call)
+{
+  busy_ = true;
+  bool answered = true;
+  try
+  {
+    answer(call.getRequest(), call.getResponse());
+  }
+  catch (const EvaluationAbandoned&)
+  {
+    answered = false;
+  }
+  catch (const std::exception& e)
+  {
+    call.getResponse().evaluations.clear();
+    call.getResponse().error = e.what();
+    ROS_ERROR_STREAM("refused a request of " << call.getCallerName() << ": " << e.what());
+  }
+  busy_ = false;
+  return answered;
+}
+
+void SimulatorNode::answer(const EvaluateGenomes::Request& request, EvaluateGenomes::Response& response)
+{
+  requireSameEngine(request.engine_fingerprint, fingerprint_);
+  const SoftBodySettings settings = fromMsg(request.settings);
+  const std::vector<EvaluationRequest> robots = robotsOf(request, settings);
+  const std::vector<Evaluation> evaluations =
+      devo_evo::evaluate(settings, programsOf(robots), instruction_set_, &stop_);
+  for (size_t i = 0; i < robots.size(); ++i)
+  {
+    response.evaluations.push_back(toMsg(evaluations[i], robots[i].trial, robots[i].id));
+    velocity_.publish(telemetryOf(robots[i], evaluations[i], settings, ros::this_node::getName()));
+  }
+  evaluations_ += static_cast<int64_t>(robots.size());
+}
+
+void SimulatorNode::announce()
+{
+  SimulatorAnnouncement announcement;
+  announcement.header.stamp = wallStamp();
+  announcement.name = ros::this_node::getName();
+  announcement.service = service_.getService();
+  announcement.host = hostName();
+  announcement.pid = static_cast<uint32_t>(getpid());
+  announcement.version = versionText();
+  announcement.engine_fingerprint = fingerprint_;
+  announcement.instruction_set = toString(instruction_set_);
+  announcement.lanes = laneCount(instruction_set_);
+  announcement.period = announcement_period_s_;
+  announcement.busy = busy_;
+  announcement.evaluations = evaluations_;
+  announcements_.publish(announcement);
+}
+}  // namespace devo_evo

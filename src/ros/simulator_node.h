@@ -1,0 +1,59 @@
+#pragma once
+
+#include "devo_evo/farm/farm.h"
+#include "devo_evo/soft_body/simulation.h"
+
+#include <devo_evo/EvaluateGenomes.h>
+
+#include <ros/callback_queue.h>
+#include <ros/node_handle.h>
+#include <ros/spinner.h>
+#include <ros/steady_timer.h>
+
+#include <atomic>
+#include <string>
+
+namespace devo_evo
+{
+/// Simulates robots for whoever asks. Keeps nothing between requests: all that an evaluation depends on comes with it.
+///
+/// Offers service ~evaluate (EvaluateGenomes); publishes `simulators` (SimulatorAnnouncement, latched) every
+/// announcement period and `velocity` (VelocityTelemetry) for every robot evaluated. Evaluates in a thread of its own,
+/// one request at a time, so that it stays responsive; announcements go by the global callback queue, which somebody
+/// must serve.
+class SimulatorNode
+{
+public:
+  /// Computes the engine fingerprint, which takes a moment, and announces itself.
+  SimulatorNode(InstructionSet instruction_set, double announcement_period_s);
+
+  /// Abandons the evaluation that runs.
+  ~SimulatorNode();
+
+  SimulatorNode(const SimulatorNode&) = delete;
+  SimulatorNode& operator=(const SimulatorNode&) = delete;
+
+private:
+  using Evaluate = ros::ServiceEvent<EvaluateGenomes::Request, EvaluateGenomes::Response>;
+
+  bool evaluate(Evaluate& call);
+  void answer(const EvaluateGenomes::Request& request, EvaluateGenomes::Response& response);
+  void announce();
+
+  const InstructionSet instruction_set_;
+  const double announcement_period_s_;
+  const uint64_t fingerprint_;
+  std::atomic<bool> stop_{ false };
+  std::atomic<bool> busy_{ false };
+  std::atomic<int64_t> evaluations_{ 0 };
+
+  ros::NodeHandle node_;
+  ros::NodeHandle private_node_;
+  ros::CallbackQueue requests_;
+  ros::Publisher announcements_;
+  ros::Publisher velocity_;
+  ros::ServiceServer service_;
+  ros::SteadyTimer announcement_timer_;
+  ros::AsyncSpinner evaluation_thread_;
+};
+}  // namespace devo_evo

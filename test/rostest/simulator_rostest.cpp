@@ -1,0 +1,228 @@
+// What a simulator answers, refuses and publishes. Runs beside simulators "best" and "scalar" (simulator.test).
+
+#include "devo_evo/soft_body/simulation.h"
+#include "ros/conversions.h"
+
+#include <gtest/gtest.h>
+#include <ros/ros.h>
+
+#include <cstring>
+#include <functional>
+#include <map>
+#include <thread>
+
+namespace devo_evo
+{
+namespace
+{
+SoftBodySettings shortLife()
+{
+  SoftBodySettings settings;
+  settings.lifetime = 0.7;
+  settings.dynamic_friction = 0.6;
+  return settings;
+}
+
+/// Robots that differ; numbers in eighths, which every text and message keeps.
+std::vector<EvaluationRequest> robots(int64_t count, const SoftBodySettings& settings)
+{
+  const auto value = [](int64_t seed) { return static_cast<double>(seed * 37 % 17 - 8) / 8.0; };
+  std::vector<EvaluationRequest> requests(static_cast<size_t>(count));
+  for (int64_t id = 0; id < count; ++id)
+  {
+    EvaluationRequest& request = requests[static_cast<size_t>(id)];
+    request.trial = 2;
+    request.id = id;
+    for (int64_t voxel = 0; voxel < settings.voxelCount(); ++voxel)
+    {
+      request.program.size_gene_initial.push_back(value(voxel + 5 * id) / 2.0);
+      request.program.size_gene_final.push_back(value(voxel + 7 * id) / 2.0);
+      request.program.phase_initial.push_back(value(3 * voxel + id) / 4.0);
+      request.program.phase_final.push_back(value(5 * voxel + id) / 4.0);
+    }
+  }
+  return requests;
+}
+
+std::vector<DevelopmentalProgram> programsOf(const std::vector<EvaluationRequest>& requests)
+{
+  std::vector<DevelopmentalProgram> programs;
+  for (const EvaluationRequest& request : requests)
+  {
+    programs.push_back(request.program);
+  }
+  return programs;
+}
+
+template <class Condition>
+bool eventually(Condition condition)
+{
+  const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(30.0);
+  while (!condition())
+  {
+    if (ros::WallTime::now() > end)
+    {
+      return false;
+    }
+    ros::WallDuration(0.005).sleep();
+    ros::spinOnce();
+  }
+  return true;
+}
+
+class SimulatorTest : public testing::Test
+{
+protected:
+  SimulatorTest()
+  {
+    announcements_ = node_.subscribe("simulators", 100, &SimulatorTest::heardFrom, this);
+    velocity_ = node_.subscribe("velocity", 1000, &SimulatorTest::tookTelemetry, this);
+  }
+
+  void SetUp() override
+  {
+    ASSERT_TRUE(eventually([this] { return heard_.count("/farm/best") == 1 && heard_.count("/farm/scalar") == 1; }));
+  }
+
+  void heardFrom(const SimulatorAnnouncement& announcement)
+  {
+    heard_[announcement.name] = announcement;
+    ++announcement_count_;
+    busy_count_ += announcement.busy ? 1 : 0;
+  }
+
+  void tookTelemetry(const VelocityTelemetry& telemetry) { telemetry_[telemetry.id] = telemetry; }
+
+  static EvaluateGenomes::Response ask(const std::string& simulator, const EvaluateGenomes::Request& request)
+  {
+    EvaluateGenomes call;
+    call.request = request;
+    EXPECT_TRUE(ros::service::call("/farm/" + simulator + "/evaluate", call));
+    return call.response;
+  }
+
+  ros::NodeHandle node_;
+  ros::Subscriber announcements_;
+  ros::Subscriber velocity_;
+  std::map<std::string, SimulatorAnnouncement> heard_;
+  int announcement_count_ = 0;
+  int busy_count_ = 0;
+  std::map<int64_t, VelocityTelemetry> telemetry_;
+};
+
+TEST_F(SimulatorTest, AnnouncesWhoItIs)
+{
+  const SimulatorAnnouncement& best = heard_["/farm/best"];
+  validate(best);
+  EXPECT_EQ(best.service, "/farm/best/evaluate");
+  EXPECT_EQ(best.engine_fingerprint, engineFingerprint());
+  EXPECT_EQ(best.lanes, laneCount(bestInstructionSet()));
+  EXPECT_EQ(best.period, 0.1);
+  const SimulatorAnnouncement& scalar = heard_["/farm/scalar"];
+  EXPECT_EQ(scalar.engine_fingerprint, best.engine_fingerprint);
+  EXPECT_EQ(scalar.instruction_set, "scalar");
+  EXPECT_EQ(scalar.lanes, 1);
+  EXPECT_NE(scalar.pid, best.pid);
+}
+
+TEST_F(SimulatorTest, AnswersAsTheLibraryDoesToTheLastBit)
+{
+  const SoftBodySettings settings = shortLife();
+  const auto requests = robots(11, settings);
+  const auto expected = evaluate(settings, programsOf(requests));
+  for (const std::string simulator : { "best", "scalar" })
+  {
+    const auto response = ask(simulator, toRequest(requests, settings, engineFingerprint()));
+    ASSERT_EQ(response.error, "");
+    const auto answered = evaluationsOf(response, requests, settings);
+    for (size_t i = 0; i < requests.size(); ++i)
+    {
+      ASSERT_TRUE(expected[i].valid);
+      EXPECT_EQ(answered[i].state_hash, expected[i].state_hash);
+      EXPECT_EQ(std::memcmp(&answered[i].fitness, &expected[i].fitness, sizeof(double)), 0);
+      EXPECT_EQ(answered[i].velocity_body_lengths_per_s, expected[i].velocity_body_lengths_per_s);
+    }
+  }
+}
+
+TEST_F(SimulatorTest, RefusesNonsenseAndGoesOn)
+{
+  const SoftBodySettings settings = shortLife();
+  const auto sound = toRequest(robots(2, settings), settings, 0);
+  const double nan = Evaluation::NONE;
+  const std::vector<std::function<void(EvaluateGenomes::Request&)>> corruptions = {
+    [](EvaluateGenomes::Request& request) { request.engine_fingerprint = 12345; },
+    [](EvaluateGenomes::Request& request) { request.settings.grid_x = 0; },
+    [](EvaluateGenomes::Request& request) { request.settings.grid_z = 2000000000; },
+    [](EvaluateGenomes::Request& request) { request.settings.grid_x = 5; },
+    [&](EvaluateGenomes::Request& request) { request.settings.lifetime = nan; },
+    [](EvaluateGenomes::Request& request) { request.settings.lifetime = 1e300; },
+    [](EvaluateGenomes::Request& request) { request.settings.time_step_fraction = -1.0; },
+    [](EvaluateGenomes::Request& request) { request.trial.pop_back(); },
+    [](EvaluateGenomes::Request& request) { request.id.push_back(1); },
+    [](EvaluateGenomes::Request& request) { request.genomes[1].phase_final.resize(1000); },
+    [](EvaluateGenomes::Request& request) { request.genomes[1].size_gene_initial.clear(); },
+    [&](EvaluateGenomes::Request& request) { request.genomes[0].phase_initial[7] = nan; },
+    [](EvaluateGenomes::Request& request) { request.genomes[0].size_gene_final[0] = -1.5; },
+    [](EvaluateGenomes::Request& request)
+    {
+      request.genomes.resize(65, request.genomes[0]);
+      request.trial.resize(65);
+      request.id.resize(65);
+    },
+  };
+  for (size_t i = 0; i < corruptions.size(); ++i)
+  {
+    EvaluateGenomes::Request request = sound;
+    corruptions[i](request);
+    const auto response = ask("best", request);
+    EXPECT_NE(response.error, "") << "corruption " << i;
+    EXPECT_TRUE(response.evaluations.empty()) << "corruption " << i;
+  }
+  EXPECT_EQ(ask("best", sound).error, "");
+}
+
+TEST_F(SimulatorTest, ARequestWithoutRobotsIsWelcome)
+{
+  const auto response = ask("best", toRequest({}, shortLife(), engineFingerprint()));
+  EXPECT_EQ(response.error, "");
+  EXPECT_TRUE(response.evaluations.empty());
+}
+
+TEST_F(SimulatorTest, PublishesTheVelocityOfEveryRobot)
+{
+  const SoftBodySettings settings = shortLife();
+  ASSERT_TRUE(eventually([this] { return velocity_.getNumPublishers() == 2; }));
+  ask("best", toRequest(robots(3, settings), settings, 0));
+  ASSERT_TRUE(eventually([this] { return telemetry_.size() == 3; }));
+  for (const auto& [id, telemetry] : telemetry_)
+  {
+    EXPECT_EQ(telemetry.trial, 2);
+    EXPECT_EQ(telemetry.simulator, "/farm/best");
+    EXPECT_TRUE(telemetry.valid);
+    EXPECT_EQ(telemetry.window_end, (std::vector<double>{ 0.5, 0.7 }));
+    ASSERT_EQ(telemetry.velocity.size(), 2u);
+    // Windows end with time steps, so their weighted mean is that of the life but for a step's worth.
+    const double mean = (0.5 * telemetry.velocity[0] + 0.2 * telemetry.velocity[1]) / 0.7;
+    EXPECT_NEAR(telemetry.mean_velocity, mean, 0.01);
+  }
+}
+
+TEST_F(SimulatorTest, AnnouncesItselfWhileItSimulates)
+{
+  SoftBodySettings settings;
+  settings.lifetime = 4.0;
+  const auto request = toRequest(robots(2, settings), settings, 0);
+  std::thread caller([&] { ask("scalar", request); });
+  EXPECT_TRUE(eventually([this] { return busy_count_ >= 3; }));
+  caller.join();
+}
+}  // namespace
+}  // namespace devo_evo
+
+int main(int argc, char** argv)
+{
+  testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "simulator_rostest");
+  return RUN_ALL_TESTS();
+}
