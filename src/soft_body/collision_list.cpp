@@ -29,8 +29,9 @@ struct CellEntry
 
 int64_t cellOf(double coordinate, double width)
 {
-  constexpr double limit = 1e15;  // far outside any world, and safe to convert
-  return static_cast<int64_t>(std::floor(std::clamp(coordinate / width, -limit, limit)));
+  constexpr double limit = 1e15;  // far outside any world, and safe to convert; NaN goes there too
+  const double cell = std::floor(coordinate / width);
+  return static_cast<int64_t>(cell > -limit ? std::min(cell, limit) : -limit);
 }
 }  // namespace
 

@@ -70,7 +70,8 @@ Evaluation LifeRecord::evaluation(const SoftBodySettings& settings, const Eigen:
     evaluation.divergence = divergence_;
     return evaluation;
   }
-  const Eigen::Vector3d displacement = (center_of_mass - birth_center_) / settings.voxel_size;
+  const bool born = steps_ > 0;
+  const Eigen::Vector3d displacement = (center_of_mass - (born ? birth_center_ : center_of_mass)) / settings.voxel_size;
   evaluation.valid = true;
   evaluation.displacement_y_voxels = displacement.y();
   evaluation.displacement_xy_voxels =
