@@ -15,7 +15,7 @@ namespace devo_evo
 {
 /// A body whose state is set by hand and advanced by a kernel, for comparing its forces with pen-and-paper values.
 /// It starts as every robot does: at rest on its lattice places, unrotated, at nominal size. Voxels keep the resting
-/// length they are given; nothing actuates them unless `clock` says so. Lane 0 is read and written.
+/// length they are given; nothing actuates them unless `clock` says so. Lane 0 is meant where no other is named.
 class HandMadeBody
 {
 public:
@@ -33,13 +33,16 @@ public:
     state_.bonds = bonds_.data()->lanes;
     state_.small_angle = small_angle_.data();
     state_.static_friction = static_friction_.data();
-    for (int voxel = 0; voxel < lattice_.voxelCount(); ++voxel)
+    for (int lane = 0; lane < kernel_.lanes; ++lane)
     {
-      const std::array<int, 3> place = lattice_.coordinates(voxel);
-      const Eigen::Vector3d cell(place[0], place[1], place[2]);
-      setPosition(voxel, settings.voxel_size * (cell + Eigen::Vector3d::Constant(0.5)));
-      setOrientation(voxel, Eigen::Quaterniond::Identity());
-      setScale(voxel, settings.voxel_size);
+      for (int voxel = 0; voxel < lattice_.voxelCount(); ++voxel)
+      {
+        const std::array<int, 3> place = lattice_.coordinates(voxel);
+        const Eigen::Vector3d cell(place[0], place[1], place[2]);
+        setPosition(voxel, settings.voxel_size * (cell + Eigen::Vector3d::Constant(0.5)), lane);
+        setOrientation(voxel, Eigen::Quaterniond::Identity(), lane);
+        setScale(voxel, settings.voxel_size, lane);
+      }
     }
   }
   HandMadeBody(const HandMadeBody&) = delete;
@@ -60,37 +63,43 @@ public:
   {
     return { at(voxel, field, lane), at(voxel, field + 1, lane), at(voxel, field + 2, lane) };
   }
-  void setVectorAt(int voxel, int field, const Eigen::Vector3d& value)
+  void setVectorAt(int voxel, int field, const Eigen::Vector3d& value, int lane = 0)
   {
     for (int axis = 0; axis < 3; ++axis)
     {
-      at(voxel, field + axis) = value[axis];
+      at(voxel, field + axis, lane) = value[axis];
     }
   }
 
   Eigen::Vector3d position(int voxel) { return vectorAt(voxel, POSITION); }
   Eigen::Vector3d velocity(int voxel) { return model().inverse_mass * vectorAt(voxel, MOMENTUM); }
-  void setPosition(int voxel, const Eigen::Vector3d& position) { setVectorAt(voxel, POSITION, position); }
-  void setVelocity(int voxel, const Eigen::Vector3d& velocity)
+  void setPosition(int voxel, const Eigen::Vector3d& position, int lane = 0)
   {
-    setVectorAt(voxel, MOMENTUM, velocity / model().inverse_mass);
+    setVectorAt(voxel, POSITION, position, lane);
   }
-  void setOrientation(int voxel, const Eigen::Quaterniond& q)
+  void setVelocity(int voxel, const Eigen::Vector3d& velocity, int lane = 0)
   {
-    at(voxel, ORIENTATION) = q.w();
-    setVectorAt(voxel, ORIENTATION + 1, q.vec());
+    setVectorAt(voxel, MOMENTUM, velocity / model().inverse_mass, lane);
+  }
+  void setOrientation(int voxel, const Eigen::Quaterniond& q, int lane = 0)
+  {
+    at(voxel, ORIENTATION, lane) = q.w();
+    setVectorAt(voxel, ORIENTATION + 1, q.vec(), lane);
   }
 
   /// Resting length, now and (unless the clock says otherwise) from now on.
-  void setScale(int voxel, double scale)
+  void setScale(int voxel, double scale, int lane = 0)
   {
-    at(voxel, SCALE) = scale;
-    at(voxel, SIZE_AT_BIRTH) = scale;
+    at(voxel, SCALE, lane) = scale;
+    at(voxel, SIZE_AT_BIRTH, lane) = scale;
   }
 
-  bool smallAngle(int bond) const { return (small_angle_[static_cast<size_t>(bond)] & 1) != 0; }
+  bool smallAngle(int bond, int lane = 0) const { return (small_angle_[static_cast<size_t>(bond)] >> lane & 1) != 0; }
   void setSmallAngle(int bond, bool small_angle) { small_angle_[static_cast<size_t>(bond)] = small_angle ? 1 : 0; }
-  bool staticFriction(int voxel) const { return (static_friction_[static_cast<size_t>(voxel)] & 1) != 0; }
+  bool staticFriction(int voxel, int lane = 0) const
+  {
+    return (static_friction_[static_cast<size_t>(voxel)] >> lane & 1) != 0;
+  }
 
   /// Lists the pairs that may collide, as every simulation does before a step.
   void listCollisions()

@@ -1,10 +1,12 @@
 // Voxels of one body that are pressed together (docs/physics.md 3).
 #include "soft_body/expect_vector.h"
 #include "soft_body/hand_made_body.h"
+#include "soft_body/robots.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 
 using namespace devo_evo;
 using Eigen::Vector3d;
@@ -218,4 +220,97 @@ TEST(CollisionList, isRenewedOnceTheBodyMayHaveMovedHalfAVoxel)
     EXPECT_TRUE(isListed(list.after(1.2, 0.001), 0, 4)) << step;
   }
   EXPECT_FALSE(isListed(list.after(1.2, 0.001), 0, 4));
+}
+
+TEST(CollisionList, findsInALargeBodyWhatTestingEveryPairFinds)
+{
+  // 7x7x7 crumpled to a third of its size, with voxels of all sizes; some far away, on negative coordinates too
+  HandMadeBody body(weightlessSettings(7, 7, 7));
+  const DevelopmentalProgram random = scrambledRobot(weightlessSettings(7, 7, 7), 4);
+  const Lattice& lattice = body.lattice();
+  for (int voxel = 0; voxel < lattice.voxelCount(); ++voxel)
+  {
+    const size_t i = static_cast<size_t>(voxel);
+    const Vector3d direction(random.size_gene_initial[i], random.size_gene_final[i], random.phase_initial[i]);
+    body.setPosition(voxel, (voxel % 50 == 0 ? 1e17 : 0.04) * direction);
+    body.setScale(voxel, 0.01 * (1.0 + 0.75 * random.phase_final[i]));
+  }
+  std::vector<std::pair<int, int>> expected;
+  for (const int a : lattice.surface())
+  {
+    for (const int b : lattice.surface())
+    {
+      const double apart = (body.position(b) - body.position(a)).norm();
+      if (a < b && lattice.manhattanDistance(a, b) > 3 && apart < std::min(0.03, 2.0 * body.at(a, SCALE)))
+      {
+        expected.emplace_back(a, b);
+      }
+    }
+  }
+  EXPECT_GT(expected.size(), 500u);
+  ListFor list(body);
+  std::vector<std::pair<int, int>> actual;
+  for (const CollisionPair& pair : list.after(0.0, 1.0).pairs())
+  {
+    actual.emplace_back(pair.voxel_a, pair.voxel_b);
+  }
+  EXPECT_EQ(expected, actual);
+}
+
+TEST(CollisionList, holdsNoPairThatIsNowhere)
+{
+  HandMadeBody body(weightlessSettings(7, 7, 7));
+  for (int voxel = 0; voxel < 343; ++voxel)
+  {
+    body.setPosition(voxel, Vector3d::Constant(std::numeric_limits<double>::quiet_NaN()));
+  }
+  ListFor list(body);
+  EXPECT_TRUE(list.after(0.0, 1.0).pairs().empty());
+}
+
+TEST(CollisionList, isOneForAllRobotsOfABatchInAscendingOrder)
+{
+  // Two robots in two lanes: hairpins whose ends are close in the first, both, or the second, one after the other
+  const int lanes = 2;
+  const Lattice lattice(6, 1, 1);
+  std::vector<double> voxels(6 * VOXEL_FIELDS * lanes, 0.0);
+  const auto at = [&voxels](int voxel, int field, int robot) -> double&
+  { return voxels[static_cast<size_t>((voxel * VOXEL_FIELDS + field) * lanes + robot)]; };
+  const auto spread = [&at](int robot)
+  {
+    for (int voxel = 0; voxel < 6; ++voxel)
+    {
+      at(voxel, POSITION, robot) = 0.1 * voxel;
+      at(voxel, SCALE, robot) = 0.01;
+    }
+  };
+  const auto touch = [&at](int robot, int voxel_a, int voxel_b)
+  { at(voxel_b, POSITION, robot) = at(voxel_a, POSITION, robot) + 0.01; };
+  spread(0);
+  spread(1);
+  touch(0, 1, 5);
+  touch(1, 0, 4);
+  touch(1, 1, 5);
+  CollisionList list(lattice, 0.01, lanes, 2);
+  const std::vector<double> still(2, 0.0);
+  list.update(voxels.data(), still.data(), 1.0);
+  ASSERT_EQ(2u, list.pairs().size());
+  EXPECT_EQ(4, list.pairs()[0].voxel_b);
+  EXPECT_EQ(2u, list.pairs()[0].robots);
+  EXPECT_EQ(5, list.pairs()[1].voxel_b);
+  EXPECT_EQ(3u, list.pairs()[1].robots);
+
+  // The second robot flies on and is listed anew; the first has not moved and is not
+  spread(0);
+  spread(1);
+  touch(1, 0, 5);
+  const std::vector<double> fast = { 0.0, 1.0 };
+  list.update(voxels.data(), fast.data(), 1.0);
+  ASSERT_EQ(2u, list.pairs().size());
+  EXPECT_EQ(0, list.pairs()[0].voxel_a);
+  EXPECT_EQ(5, list.pairs()[0].voxel_b);
+  EXPECT_EQ(2u, list.pairs()[0].robots);
+  EXPECT_EQ(1, list.pairs()[1].voxel_a);
+  EXPECT_EQ(5, list.pairs()[1].voxel_b);
+  EXPECT_EQ(1u, list.pairs()[1].robots);
 }
