@@ -6,7 +6,7 @@
 
 namespace devo_evo
 {
-/// Exit statuses of the tool (docs/tool.md). A run that a signal stopped ends with 128 + the signal's number.
+/// Exit statuses of the tool (docs/tool.md). A run that a signal ended has 128 + the signal's number.
 enum ExitStatus
 {
   EXIT_OK = 0,
@@ -18,5 +18,8 @@ enum ExitStatus
 using Command = std::function<int()>;
 
 // Each adds a subcommand to the tool. `command` must outlive the parsing.
+void addEvaluateCommand(CLI::App& tool, Command& command);
+void addEvolveCommand(CLI::App& tool, Command& command);
+void addDigestCommand(CLI::App& tool, Command& command);
 void addParametersCommand(CLI::App& tool, Command& command);
 }  // namespace devo_evo

@@ -214,14 +214,19 @@ ParameterSpec outputSpec()
   const auto assign = [](Parameters& parameters, const ParameterValue& value)
   {
     const auto text = asText(value);
-    parameters.experiment.output = text.value_or(parameters.experiment.output);
-    return text.has_value();
+    const bool allowed = text && text->find('~') != 0;  // nobody would expand it
+    if (allowed)
+    {
+      parameters.experiment.output = *text;
+    }
+    return allowed;
   };
   return makeSpec(
       { "output", "experiment", "",
         "Folder for everything the experiment writes; empty: "
         "$HOME/devo_evo/<treatment>-<profile>-<mutation rate>-seed-<seed>. An experiment in it is resumed." },
-      "the path of a folder", assign, [](const Parameters& parameters) { return parameters.experiment.output; });
+      "the path of a folder, written out without ~", assign,
+      [](const Parameters& parameters) { return parameters.experiment.output; });
 }
 
 ParameterSpec gridSpec()

@@ -181,6 +181,7 @@ TEST(SettingAParameter, RefusesWrongTypesAndChangesNothing)
     { "self_collision", std::string("yes") },
     { "treatment", int64_t{ 1 } },
     { "output", true },
+    { "output", std::string("~/results") },
     { "grid", std::string("4x4") },
     { "grid", std::string("4x4x3x2") },
     { "grid", std::string("4x4x") },
