@@ -49,8 +49,12 @@ private:
 /// The folder for results as an absolute path, from whatever the parameter says.
 std::string absoluteOutput(const ExperimentSettings& settings)
 {
-  return settings.output.empty() ? defaultOutput(settings)
-                                 : std::filesystem::absolute(settings.output).lexically_normal().string();
+  if (settings.output.empty())
+  {
+    return defaultOutput(settings);
+  }
+  const auto path = std::filesystem::absolute(settings.output).lexically_normal();
+  return (path.has_filename() ? path : path.parent_path()).string();  // without a slash at the end
 }
 
 int evolve(const Parameters& parameters)
