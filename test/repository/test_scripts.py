@@ -61,6 +61,11 @@ class InstallPackagesTest(unittest.TestCase):
         self.assertRegex(update, r"^apt-get .* update$")
         self.assertRegex(install, r"^apt-get .* install -y --no-install-recommends catkin cmake$")
 
+    def test_an_optional_group_is_only_installed_when_asked_for(self):
+        self.set_installed(set(listed_packages()) - {"libbenchmark-dev"})
+        self.assertEqual(self.run_script("--missing").stdout, "")
+        self.assertEqual(self.run_script("--missing", "--for", "benchmarks").stdout, "libbenchmark-dev\n")
+
     def test_a_package_that_was_removed_counts_as_missing(self):
         self.set_installed(set(listed_packages()) - {"cmake"})
         with open(self.folder / "installed", "a", encoding="utf-8") as installed:

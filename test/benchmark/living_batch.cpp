@@ -1,0 +1,118 @@
+#include "benchmark/living_batch.h"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+namespace devo_evo
+{
+namespace
+{
+std::vector<Moment::Row> makeRows(size_t numbers)
+{
+  return std::vector<Moment::Row>((numbers + MAX_LANES - 1) / MAX_LANES);
+}
+}  // namespace
+
+LivingBatch::LivingBatch(const SoftBodySettings& settings, const std::vector<DevelopmentalProgram>& robots,
+                         const Kernel& kernel, int listings)
+  : settings_(settings)
+  , kernel_(kernel)
+  , lattice_(settings)
+  , constants_(settings, lattice_)
+  , collisions_(static_cast<size_t>(listings),
+                CollisionList(lattice_, settings.voxel_size, kernel.lanes, static_cast<int>(robots.size())))
+{
+  const auto voxels = static_cast<size_t>(lattice_.voxelCount());
+  const auto bonds = lattice_.bonds().size();
+  const auto lanes = static_cast<size_t>(kernel.lanes);
+  arrays_.voxels = makeRows(voxels * VOXEL_FIELDS * lanes);
+  arrays_.bonds = makeRows(bonds * BOND_FIELDS * lanes);
+  arrays_.small_angle.assign(bonds, 0xff);
+  arrays_.static_friction.assign(voxels, 0);
+  state_.voxels = arrays_.voxels.data()->lanes;
+  state_.bonds = arrays_.bonds.data()->lanes;
+  state_.small_angle = arrays_.small_angle.data();
+  state_.static_friction = arrays_.static_friction.data();
+  for (size_t lane = 0; lane < lanes; ++lane)
+  {
+    placeRobot(static_cast<int>(lane), robots[std::min(lane, robots.size() - 1)]);
+  }
+}
+
+void LivingBatch::step(Moment* moment)
+{
+  list();
+  const StepClock now = clock();
+  if (moment != nullptr)
+  {
+    *moment = arrays_;
+    moment->clock = now;
+    moment->pairs = collisions_.front().pairs();
+  }
+  kernel_.step(model(), now, state_);
+  if (state_.diverged != 0)
+  {
+    throw std::runtime_error("a robot that is measured diverges: take others");
+  }
+  time_ += model().dt;
+  ++step_count_;
+}
+
+void LivingBatch::restore(const Moment& moment)
+{
+  std::copy(moment.voxels.begin(), moment.voxels.end(), arrays_.voxels.begin());
+  std::copy(moment.bonds.begin(), moment.bonds.end(), arrays_.bonds.begin());
+  std::copy(moment.small_angle.begin(), moment.small_angle.end(), arrays_.small_angle.begin());
+  std::copy(moment.static_friction.begin(), moment.static_friction.end(), arrays_.static_friction.begin());
+  state_.collision_pairs = moment.pairs.data();
+  state_.collision_pair_count = static_cast<int>(moment.pairs.size());
+}
+
+double& LivingBatch::at(int lane, int voxel, int field)
+{
+  return state_.voxels[(voxel * VOXEL_FIELDS + field) * kernel_.lanes + lane];
+}
+
+void LivingBatch::placeRobot(int lane, const DevelopmentalProgram& program)
+{
+  const double L = settings_.voxel_size;
+  const auto length = [L](double gene) { return L * (1.0 + 0.75 * gene); };
+  for (int voxel = 0; voxel < lattice_.voxelCount(); ++voxel)
+  {
+    const auto i = static_cast<size_t>(voxel);
+    const std::array<int, 3> place = lattice_.coordinates(voxel);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      at(lane, voxel, POSITION + axis) = (place[static_cast<size_t>(axis)] + 0.5) * L;
+    }
+    at(lane, voxel, ORIENTATION) = 1.0;
+    at(lane, voxel, SCALE) = L;
+    at(lane, voxel, SIZE_AT_BIRTH) = length(program.size_gene_initial[i]);
+    at(lane, voxel, SIZE_CHANGE) = length(program.size_gene_final[i]) - length(program.size_gene_initial[i]);
+    at(lane, voxel, PHASE_AT_BIRTH) = program.phase_initial[i];
+    at(lane, voxel, PHASE_CHANGE) = program.phase_final[i] - program.phase_initial[i];
+  }
+}
+
+void LivingBatch::list()
+{
+  for (CollisionList& each : collisions_)
+  {
+    each.update(state_.voxels, state_.max_speed_squared, model().dt);
+  }
+  state_.collision_pairs = collisions_.front().pairs().data();
+  state_.collision_pair_count = static_cast<int>(collisions_.front().pairs().size());
+}
+
+StepClock LivingBatch::clock() const
+{
+  StepClock clock;
+  clock.first_step = step_count_ == 0;
+  clock.born = time_ >= SETTLING_TIME;
+  clock.prenatal_growth = std::min(1.0, 2.0 * time_ / SETTLING_TIME);
+  clock.life_fraction = std::min((time_ - SETTLING_TIME) / settings_.lifetime, 1.0);
+  clock.cycles = settings_.actuation_frequency * time_;
+  return clock;
+}
+}  // namespace devo_evo
