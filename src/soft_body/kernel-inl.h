@@ -156,6 +156,23 @@ inline Real inverseSquareRoot(Real a)
   return multiplyAdd(better * rest, polynomial(rest, 0.5, 0.375), better);
 }
 
+// 1 / cos(angle / 2), given 1 - cos(angle), the versine: a polynomial up to angles of 53 degrees.
+template <class Real>
+inline Real inverseHalfAngleCosine(Real versine)
+{
+  Real result =
+      polynomial(versine, 1.0, 0.24999999999998757, 0.09375000000173478, 0.03906249990509594, 0.01708984643961292,
+                 0.007690384484666993, 0.0035252657232099833, 0.0016330326352117469, 0.0007839687346530521,
+                 0.00030679432370555145, 0.00029254761824807734, -7.960938608751285e-05, 0.0001524582264404418);
+  const auto wide = constant<Real>(0.4) < versine;
+  if (any(wide))
+  {
+    const Real half_angle_cosine_square = multiplyAdd(constant<Real>(-0.5), versine, constant<Real>(1.0));
+    result = select(wide, inverseSquareRoot(half_angle_cosine_square), result);
+  }
+  return result;
+}
+
 // sin(angle) for |angle| < 1e5.
 template <class Real>
 inline Real sine(Real angle)
@@ -222,6 +239,13 @@ struct Axes
 {
   Vector<Real> x, y, z;
 };
+
+// The vector with these components along the axes.
+template <class Real>
+inline Vector<Real> along(const Axes<Real>& axes, const Vector<Real>& components)
+{
+  return multiplyAdd(components.z, axes.z, multiplyAdd(components.y, axes.y, components.x * axes.x));
+}
 
 // The body axes in the world: the columns of the rotation matrix of q.
 template <class Real>
@@ -371,20 +395,25 @@ inline void deform(const BodyModel& model, const Axes<Real>& body_axes_1, uint8_
   small_angle_bits = static_cast<uint8_t>(bits(is_small));
 
   // Large-angle: u is the shortest turn of r' onto +x, by half-angle formulas
-  const Real square = dot(r, r);
+  const Real square = dot(r_world, r_world);
   const Real inverse_length = inverseSquareRoot(square);
   const Real length = square * inverse_length;
   const Real half_inverse_length = half * inverse_length;
-  const Real half_angle_cosine_square = (length + r.x) * half_inverse_length;
-  const Real inverse_half_angle_cosine = inverseSquareRoot(half_angle_cosine_square);
+  const Real versine = multiplyAdd(-r.x, inverse_length, one);  // 1 - cos of the angle
+  const Real inverse_half_angle_cosine = inverseHalfAngleCosine(versine);
   const Real scaling = half_inverse_length * inverse_half_angle_cosine;
-  Turn<Real> u = { half_angle_cosine_square * inverse_half_angle_cosine, r.z * scaling, -(r.y * scaling) };
-  Vector<Real> turned_x = inverse_length * r_world;
+  Turn<Real> u = { multiplyAdd(-half, versine, one) * inverse_half_angle_cosine, r.z * scaling, -(r.y * scaling) };
   Vector<Real> d = { length - rest, zero, zero };
+
+  // The turned frame: x along r, and y turned with it (Rodrigues' formula for the shortest turn)
+  Vector<Real> turned_x = inverse_length * r_world;
+  const Real tilt = -((r.y * half_inverse_length) * (inverse_half_angle_cosine * inverse_half_angle_cosine));
+  Vector<Real> turned_y = multiplyAdd(tilt, axes.x + turned_x, axes.y);
 
   const Real bound = constant<Real>(theta_s) * absolute(r.x);
   const Mask nearly_straight = (absolute(r.y) < bound) & (absolute(r.z) < bound);
-  if (any(nearly_straight | is_small))
+  const Mask special = nearly_straight | is_small;
+  if (any(special))
   {
     // First-order turn of the reference; none at all in the small-angle regime
     const Real half_over_x = half / r.x;
@@ -396,15 +425,14 @@ inline void deform(const BodyModel& model, const Axes<Real>& body_axes_1, uint8_
     u.z = select(is_small, zero, select(nearly_straight, z, u.z));
     const Real u_y2 = u.y + u.y;
     const Real u_z2 = u.z + u.z;
-    const Vector<Real> first_row = { one - multiplyAdd(u.y, u_y2, u.z * u_z2), -(u.w * u_z2), u.w * u_y2 };
-    const Vector<Real> x = multiplyAdd(first_row.z, axes.z, multiplyAdd(first_row.y, axes.y, first_row.x * axes.x));
-    turned_x = select<Real>(nearly_straight | is_small, x, turned_x);
+    const Vector<Real> row_x = { one - multiplyAdd(u.y, u_y2, u.z * u_z2), -(u.w * u_z2), u.w * u_y2 };
+    const Vector<Real> row_y = { u.w * u_z2, multiplyAdd(-u.z, u_z2, one), u.y * u_z2 };
+    turned_x = select<Real>(special, along(axes, row_x), turned_x);
+    turned_y = select<Real>(special, along(axes, row_y), turned_y);
     d = select<Real>(is_small, { r.x - rest, r.y, r.z }, d);
   }
-  const Real u_z2 = u.z + u.z;
-  const Vector<Real> second_row = { u.w * u_z2, multiplyAdd(-u.z, u_z2, one), u.y * u_z2 };
   bond.turned_x = turned_x;
-  bond.turned_y = multiplyAdd(second_row.z, axes.z, multiplyAdd(second_row.y, axes.y, second_row.x * axes.x));
+  bond.turned_y = turned_y;
   bond.u = u;
   bond.n = n;
   bond.d = d;
@@ -588,11 +616,12 @@ inline void applyFloor(const BodyModel& model, Real depth, const Vector<Real>& v
   const Real grip = constant<Real>(model.static_friction) * normal;
   const Real sliding_friction = constant<Real>(model.dynamic_friction) * normal;
   const Mask resting = speed_square == zero;
-  const Real speed = squareRoot(speed_square);
+  const Real inverse_speed = inverseSquareRoot(speed_square);
+  const Real speed = speed_square * inverse_speed;
   const Mask sliding =
       (!resting) & (sliding_friction * constant<Real>(model.dt * model.inverse_mass) < speed) & touching;
   const Mask held = touching & ((resting & (force_square < grip * grip)) | (!(resting | sliding)));
-  const Real friction = select(sliding, sliding_friction / speed, zero);
+  const Real friction = select(sliding, sliding_friction * inverse_speed, zero);
   force.x = select(held, zero, multiplyAdd(-friction, velocity.x, force.x));
   force.y = select(held, zero, multiplyAdd(-friction, velocity.y, force.y));
   voxel.momentum.x = select(held, zero, voxel.momentum.x);
