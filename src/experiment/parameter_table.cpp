@@ -1,0 +1,293 @@
+#include "devo_evo/experiment/parameters.h"
+
+#include "experiment/parameter_kinds.h"
+
+namespace devo_evo
+{
+namespace
+{
+// ---- kinds, by where the field stands ------------------------------------------------------------------------------
+
+ParameterSpec experimentCount(const std::string& name, const std::string& description)
+{
+  const auto section = [](auto& parameters) -> auto&
+  {
+    return parameters.experiment;
+  };
+  return boundedSpec(section, fieldNamed(name, experimentIntegers()), "experiment", "", description);
+}
+
+ParameterSpec evolutionCount(const std::string& name, const std::string& description)
+{
+  const auto section = [](auto& parameters) -> auto&
+  {
+    return parameters.experiment.evolution;
+  };
+  return boundedSpec(section, fieldNamed(name, evolutionIntegers()), "evolution", "", description);
+}
+
+ParameterSpec evolutionNumber(const std::string& name, const std::string& description)
+{
+  const auto section = [](auto& parameters) -> auto&
+  {
+    return parameters.experiment.evolution;
+  };
+  return boundedSpec(section, fieldNamed(name, evolutionReals()), "evolution", "", description);
+}
+
+ParameterSpec bodyNumber(const std::string& name, const std::string& group, const std::string& unit,
+                         const std::string& description)
+{
+  const auto section = [](auto& parameters) -> auto&
+  {
+    return parameters.experiment.body;
+  };
+  return boundedSpec(section, fieldNamed(name, softBodyReals()), group, unit, description);
+}
+
+template <class Value>
+ParameterSpec ownNumber(const BoundedField<Parameters, Value>& field, const std::string& group, const std::string& unit,
+                        const std::string& description)
+{
+  return boundedSpec(
+      [](auto& parameters) -> auto& { return parameters; }, field, group, unit, description);
+}
+
+ParameterSpec physicsSwitch(const std::string& name, bool SoftBodySettings::*field, const std::string& description)
+{
+  const auto assign = [field](Parameters& parameters, const ParameterValue& value)
+  {
+    const auto boolean = asBoolean(value);
+    bool& present = parameters.experiment.body.*field;
+    present = boolean.value_or(present);
+    return boolean.has_value();
+  };
+  const auto get = [field](const Parameters& parameters)
+  { return parameters.experiment.body.*field ? "true" : "false"; };
+  return makeSpec({ name, "physics", "", description }, "true or false", assign, get);
+}
+
+// ---- parameters of a kind of their own -----------------------------------------------------------------------------
+
+ParameterSpec seedSpec()
+{
+  const BoundedField<EvolutionSettings, int64_t> field = { "seed", &EvolutionSettings::seed, 0, INT64_MAX };
+  return boundedSpec(
+      [](auto& parameters) -> auto& { return parameters.experiment.evolution; }, field, "experiment", "",
+      "Seed of all random numbers: the same seed gives the same evolution.");
+}
+
+ParameterSpec mutationRateSpec()
+{
+  const auto assign = [](Parameters& parameters, const ParameterValue& value)
+  {
+    auto& rate = parameters.experiment.evolution.mutation_rate;
+    if (asText(value) == "self_adaptive")
+    {
+      rate.reset();
+      return true;
+    }
+    const auto number = asReal(value);
+    const bool allowed = number && *number >= 0.0 && *number <= 1.0;
+    if (allowed)
+    {
+      rate = *number + 0.0;
+    }
+    return allowed;
+  };
+  const auto get = [](const Parameters& parameters)
+  {
+    const auto& rate = parameters.experiment.evolution.mutation_rate;
+    return rate ? toText(*rate) : "self_adaptive";
+  };
+  return makeSpec({ "mutation_rate", "experiment", "",
+                    "Probability lambda that a voxel's value changes when its trait mutates: one rate per voxel that "
+                    "evolves itself, or a fixed one for all." },
+                  "self_adaptive or a number within 0 to 1", assign, get);
+}
+
+ParameterSpec outputSpec()
+{
+  const auto assign = [](Parameters& parameters, const ParameterValue& value)
+  {
+    const auto text = asText(value);
+    const bool allowed = text && text->find('~') != 0;  // nobody would expand it
+    if (allowed)
+    {
+      parameters.experiment.output = *text;
+    }
+    return allowed;
+  };
+  return makeSpec(
+      { "output", "experiment", "",
+        "Folder for everything the experiment writes; empty: "
+        "$HOME/devo_evo/<treatment>-<profile>-<mutation rate>-seed-<seed>. An experiment in it is resumed." },
+      "the path of a folder, written out without ~", assign,
+      [](const Parameters& parameters) { return parameters.experiment.output; });
+}
+
+ParameterSpec gridSpec()
+{
+  const auto& fields = softBodyIntegers();
+  const auto assign = [&fields](Parameters& parameters, const ParameterValue& value)
+  {
+    const auto sizes = asGrid(value);
+    SoftBodySettings body = parameters.experiment.body;
+    for (size_t axis = 0; sizes && axis < fields.size(); ++axis)
+    {
+      if ((*sizes)[axis] < fields[axis].minimum || (*sizes)[axis] > fields[axis].maximum)
+      {
+        return false;
+      }
+      body.*fields[axis].value = static_cast<int>((*sizes)[axis]);
+    }
+    parameters.experiment.body = body;
+    return sizes.has_value();
+  };
+  const auto get = [](const Parameters& parameters)
+  {
+    const auto& body = parameters.experiment.body;
+    return toText(body.grid_x) + "x" + toText(body.grid_y) + "x" + toText(body.grid_z);
+  };
+  return makeSpec(
+      { "grid", "body", "voxels",
+        "Size of the body along x (lateral), y (direction of travel) and z (up); one body length is its "
+        "size along y." },
+      "written like 4x4x3 or [4, 4, 3], each within " + toText(fields[0].minimum) + " to " + toText(fields[0].maximum),
+      assign, get);
+}
+
+ParameterSpec instructionSetSpec()
+{
+  const auto assign = [](Parameters& parameters, const ParameterValue& value)
+  {
+    const auto text = asText(value);
+    const auto names = { "auto", "scalar", "avx2", "avx512" };
+    const bool allowed = text && std::find(names.begin(), names.end(), *text) != names.end();
+    if (allowed)
+    {
+      parameters.instruction_set = *text;
+    }
+    return allowed;
+  };
+  return makeSpec({ "instruction_set", "farm", "",
+                    "Instructions that simulators compute with; auto: the fastest that the processor has. Results are "
+                    "the same to the last bit." },
+                  "auto, scalar, avx2 or avx512", assign,
+                  [](const Parameters& parameters) { return parameters.instruction_set; });
+}
+
+// ---- the table -----------------------------------------------------------------------------------------------------
+
+std::vector<ParameterSpec> experimentSpecs()
+{
+  const auto treatment = [](auto& parameters) -> auto&
+  {
+    return parameters.experiment.evolution.treatment;
+  };
+  const auto profile = [](auto& parameters) -> auto&
+  {
+    return parameters.experiment.evolution.profile;
+  };
+  return {
+    choiceSpec(
+        { "treatment", "experiment", "",
+          "Whether resting lengths and phases develop over a robot's life (evo_devo) or keep their values (evo)." },
+        "evo or evo_devo", treatment, parseTreatment),
+    choiceSpec({ "profile", "experiment", "",
+                 "Which is followed where the paper's text and its released code differ (docs/evolution.md)." },
+               "paper or released_code", profile, parseProfile),
+    mutationRateSpec(),
+    experimentCount("trials", "Independent repetitions of the evolution, numbered from 1; they advance side by side."),
+    experimentCount("generations", "Generations of each trial after generation 0, the founders."),
+    seedSpec(),
+    outputSpec(),
+  };
+}
+
+std::vector<ParameterSpec> evolutionSpecs()
+{
+  return {
+    evolutionCount("population", "Robots that survive each generation."),
+    evolutionCount("random_injections", "Robots of age 0 made at random that join each generation."),
+    evolutionNumber("size_mutation_sigma",
+                    "Standard deviation of a size gene's mutation; 1 is 0.75 cm of resting length at the paper's "
+                    "voxel_size."),
+    evolutionNumber("meta_mutation_sigma",
+                    "Standard deviation of the change of a self-adaptive mutation rate at every reproduction."),
+    evolutionNumber("minimum_mutation_rate", "Lower bound and start of self-adaptive mutation rates."),
+  };
+}
+
+std::vector<ParameterSpec> bodySpecs()
+{
+  return {
+    gridSpec(),
+    bodyNumber("lifetime", "body", "s",
+               "Time tau from birth to the end of an evaluation; 0.5 s of settling comes before it."),
+  };
+}
+
+std::vector<ParameterSpec> physicsSpecs()
+{
+  return {
+    bodyNumber("voxel_size", "physics", "m", "Lattice pitch and nominal edge length L of a voxel."),
+    bodyNumber("density", "physics", "kg/m^3", "Density rho of a voxel at its nominal size."),
+    bodyNumber("youngs_modulus", "physics", "Pa", "Young's modulus E of voxels."),
+    bodyNumber("poissons_ratio", "physics", "", "Poisson's ratio nu of voxels."),
+    bodyNumber("static_friction", "physics", "", "Coefficient mu_s of static friction between voxels and floor."),
+    bodyNumber("dynamic_friction", "physics", "", "Coefficient mu_d of dynamic friction between voxels and floor."),
+    bodyNumber("gravity", "physics", "m/s^2", "Gravitational acceleration g along -z."),
+    bodyNumber("bond_damping", "physics", "", "Damping ratio zeta_b of bonds; 1 is critical."),
+    bodyNumber("contact_damping", "physics", "", "Damping ratio zeta_c of floor contacts; 1 is critical."),
+    bodyNumber("global_damping", "physics", "", "Damping ratio zeta_g of every voxel's motion; 1 is critical."),
+    bodyNumber("time_step_fraction", "physics", "",
+               "Time step dt as a fraction of 1 / (2 pi sqrt(E L / m)), with m a voxel's mass."),
+    bodyNumber("actuation_frequency", "physics", "Hz", "Frequency f of actuation."),
+    bodyNumber("actuation_amplitude", "physics", "", "Amplitude A of actuation over voxel_size."),
+    physicsSwitch("self_collision", &SoftBodySettings::self_collision,
+                  "Whether voxels far apart in the lattice push each other apart."),
+    physicsSwitch("sideways_bend_test", &SoftBodySettings::sideways_bend_test,
+                  "Whether sideways bending too ends a bond's small-angle regime (docs/physics.md 2.2)."),
+  };
+}
+
+std::vector<ParameterSpec> farmSpecs()
+{
+  return {
+    ownNumber<int>({ "simulators", &Parameters::simulators, 0, 1024 }, "farm", "",
+                   "Simulator nodes to start, or threads of the command-line tool; 0: one a core."),
+    instructionSetSpec(),
+  };
+}
+
+std::vector<ParameterSpec> nodesSpecs()
+{
+  return {
+    ownNumber<double>(
+        { "batch_timeout", &Parameters::batch_timeout, 0.1, 86400.0 }, "nodes", "s",
+        "How long a simulator may take for a batch before it counts as lost and its robots go to others."),
+    ownNumber<double>({ "announcement_period", &Parameters::announcement_period, 0.05, 60.0 }, "nodes", "s",
+                      "How often a simulator announces itself."),
+  };
+}
+
+std::vector<ParameterSpec> allSpecs()
+{
+  std::vector<ParameterSpec> specs;
+  for (const auto& group :
+       { experimentSpecs(), evolutionSpecs(), bodySpecs(), physicsSpecs(), farmSpecs(), nodesSpecs() })
+  {
+    specs.insert(specs.end(), group.begin(), group.end());
+  }
+  return specs;
+}
+
+}  // namespace
+
+const std::vector<ParameterSpec>& parameterSpecs()
+{
+  static const std::vector<ParameterSpec> specs = allSpecs();
+  return specs;
+}
+}  // namespace devo_evo
