@@ -89,23 +89,32 @@ private:
     }
   }
 
-  /// Waits for work and takes what the lanes hold; nothing when the farm stops. A group lasts as long with one robot as
-  /// with all its lanes full, so full groups first is as fast as any sharing out.
+  /// Waits for work and takes a group of it; nothing when the farm stops.
   std::vector<EvaluationRequest> take(size_t worker)
   {
     std::unique_lock<std::mutex> lock(mutex_);
     workers_[worker].state = "idle";
+    ++idle_;
     work_to_do_.wait(lock, [this] { return stop_ || error_ || !requests_.empty(); });
+    const size_t size = groupSize();
+    --idle_;
     if (stop_ || error_)
     {
       return {};
     }
     workers_[worker].state = "working";
-    const auto size = std::min(requests_.size(), static_cast<size_t>(laneCount(instruction_set_)));
     const auto end = requests_.begin() + static_cast<std::ptrdiff_t>(size);
     std::vector<EvaluationRequest> group(std::make_move_iterator(requests_.begin()), std::make_move_iterator(end));
     requests_.erase(requests_.begin(), end);
     return group;
+  }
+
+  /// As much as the lanes hold, but no more than a fair share among the idle: a group that leaves lanes empty takes
+  /// somewhat less time than a full one.
+  size_t groupSize() const
+  {
+    const size_t share = (requests_.size() + idle_ - 1) / idle_;
+    return std::min(share, static_cast<size_t>(laneCount(instruction_set_)));
   }
 
   std::vector<Evaluation> evaluateGroup(const std::vector<EvaluationRequest>& group) const
@@ -166,6 +175,7 @@ private:
   std::deque<EvaluationRequest> requests_;
   std::vector<EvaluationResult> results_;
   std::vector<WorkerStatus> workers_;
+  size_t idle_ = 0;  // workers that wait for work
   std::exception_ptr error_;
   std::atomic<bool> stop_{ false };
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <thread>
 
 namespace devo_evo
@@ -95,6 +96,22 @@ TEST(LocalFarm, CountsWhatEachThreadDid)
   EXPECT_EQ(workers[0].evaluations + workers[1].evaluations, 20);
   EXPECT_TRUE(workers[0].usable && workers[1].usable);
   EXPECT_EQ(workers[0].name, "thread 1");
+}
+
+TEST(LocalFarm, SharesLittleWorkAmongIdleThreads)
+{
+  const auto farm = makeLocalFarm(shortLife(), 2);
+  std::set<std::string> workers;
+  for (int attempt = 0; attempt < 100 && workers.size() < 2; ++attempt)  // at first one may not be waiting yet
+  {
+    workers.clear();
+    farm->submit(requests(2));
+    for (const EvaluationResult& result : collectAll(*farm, 2))
+    {
+      workers.insert(result.worker);
+    }
+  }
+  EXPECT_EQ(workers.size(), 2u);
 }
 
 TEST(LocalFarm, WaitsForWorkUntilTheTimeout)
