@@ -3,10 +3,22 @@
 #include <algorithm>
 #include <iostream>
 
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 namespace devo_evo
 {
+namespace
+{
+/// How much of a line fits the terminal: one that wraps could not be overwritten.
+size_t terminalWidth()
+{
+  winsize size{};
+  const bool known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  return known ? size.ws_col : std::string::npos;
+}
+}  // namespace
+
 ProgressDisplay::ProgressDisplay() : live_(isatty(STDERR_FILENO) == 1)
 {
 }
@@ -20,7 +32,7 @@ void ProgressDisplay::show(const std::string& line, bool important)
   }
   if (live_)
   {
-    std::cerr << "\r" << line << "\x1b[K" << std::flush;
+    std::cerr << "\r" << line.substr(0, terminalWidth()) << "\x1b[K" << std::flush;
     line_open_ = true;
     next_ = now + std::chrono::milliseconds(100);
     return;

@@ -11,6 +11,9 @@ class ProgressDisplay
 {
 public:
   ProgressDisplay();
+  ~ProgressDisplay() { end(); }
+  ProgressDisplay(const ProgressDisplay&) = delete;
+  ProgressDisplay& operator=(const ProgressDisplay&) = delete;
 
   /// @param important whether the line must not be left out.
   void show(const std::string& line, bool important);
