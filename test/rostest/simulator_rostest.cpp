@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <ros/ros.h>
 
+#include <atomic>
 #include <cstring>
 #include <functional>
 #include <map>
@@ -210,11 +211,19 @@ TEST_F(SimulatorTest, PublishesTheVelocityOfEveryRobot)
 
 TEST_F(SimulatorTest, AnnouncesItselfWhileItSimulates)
 {
-  SoftBodySettings settings;
-  settings.lifetime = 4.0;
-  const auto request = toRequest(robots(2, settings), settings, 0);
-  std::thread caller([&] { ask("scalar", request); });
+  const SoftBodySettings settings = shortLife();
+  const auto request = toRequest(robots(8, settings), settings, 0);
+  std::atomic<bool> enough{ false };
+  std::thread caller(
+      [&]
+      {
+        while (!enough)
+        {
+          ask("scalar", request);
+        }
+      });
   EXPECT_TRUE(eventually([this] { return busy_count_ >= 3; }));
+  enough = true;
   caller.join();
 }
 }  // namespace

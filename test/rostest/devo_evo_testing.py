@@ -1,0 +1,135 @@
+"""What the tests of whole experiments share: starting nodes, waiting for what they do, comparing digests."""
+
+import os
+import shutil
+import signal
+import subprocess
+import tempfile
+import time
+import unittest
+
+import roslib.packages
+import rospy
+
+# Short lives in a small experiment: a run takes a second or two.
+SMALL = {'lifetime': 0.2, 'population': 6, 'generations': 5, 'trials': 2, 'seed': 3}
+
+
+def program(name):
+    """Path of one of our programs."""
+    return roslib.packages.find_node('devo_evo', name)[0]
+
+
+def wait_until(condition, what, timeout=60.0):
+    """Polls until the condition holds and returns its value; fails with `what` otherwise."""
+    end = time.monotonic() + timeout
+    while time.monotonic() < end:
+        value = condition()
+        if value:
+            return value
+        time.sleep(0.02)
+    raise AssertionError('timed out waiting until ' + what)
+
+
+class Process:
+    """A program that runs beside the test, with what it says."""
+
+    def __init__(self, arguments, folder, namespace):
+        self.name = os.path.basename(arguments[0])
+        self.log = tempfile.NamedTemporaryFile(dir=folder, prefix=self.name + '.', suffix='.log', delete=False)
+        environment = dict(os.environ, ROS_NAMESPACE=namespace, ROSCONSOLE_FORMAT='[${severity}] ${message}')
+        self.process = subprocess.Popen(
+            arguments, env=environment, stdin=subprocess.DEVNULL, stdout=self.log, stderr=subprocess.STDOUT)
+
+    def said(self, text):
+        """Whether the text is in what it has said so far."""
+        return text in self.output()
+
+    def output(self):
+        with open(self.log.name, encoding='utf-8', errors='replace') as log:
+            return log.read()
+
+    def running(self):
+        return self.process.poll() is None
+
+    def signal(self, number):
+        self.process.send_signal(number)
+
+    def wait(self, timeout=60.0):
+        """Its exit status."""
+        try:
+            return self.process.wait(timeout)
+        except subprocess.TimeoutExpired:
+            raise AssertionError('%s does not end' % self.name) from None
+
+    def stop(self):
+        if self.running():
+            self.process.send_signal(signal.SIGCONT)
+            self.process.terminate()
+            try:
+                self.process.wait(20.0)
+            except subprocess.TimeoutExpired:
+                self.process.kill()
+                self.process.wait()
+        self.log.close()
+
+
+class ExperimentTest(unittest.TestCase):
+    """Every test has a namespace and folders of its own."""
+
+    digests = {}  # of undisturbed experiments, by parameters
+
+    def setUp(self):
+        self.folder = tempfile.mkdtemp(prefix='devo_evo_test_')
+        self.output = os.path.join(self.folder, 'output')
+        self.namespace = '/' + self._testMethodName
+        self.processes = []
+
+    def tearDown(self):
+        for process in reversed(self.processes):
+            process.stop()
+        outcome = self._outcome.result if hasattr(self._outcome, 'result') else self._outcome
+        if any(test is self for test, _ in outcome.failures + outcome.errors):
+            for process in self.processes:
+                print('---- %s ----\n%s' % (process.name, process.output()))
+        shutil.rmtree(self.folder, ignore_errors=True)
+
+    def start(self, *arguments):
+        self.processes.append(Process(list(arguments), self.folder, self.namespace))
+        return self.processes[-1]
+
+    def start_evolver(self, **parameters):
+        name = self.namespace + '/evolver'
+        if rospy.has_param(name):
+            rospy.delete_param(name)
+        rospy.set_param(name, dict(SMALL, output=self.output, **parameters))
+        return self.start(program('evolver'))
+
+    def start_simulator(self, **parameters):
+        shared = self.namespace + '/simulators_%d' % len(self.processes)
+        rospy.set_param(shared, dict({'announcement_period': 0.1}, **parameters))
+        return self.start(program('simulator'), '--parameters', shared)
+
+    def launch(self, file, **arguments):
+        return self.start('roslaunch', '--no-summary', '--disable-title', 'devo_evo', file, 'ns:=' + self.namespace[1:],
+                          *['%s:=%s' % argument for argument in arguments.items()])
+
+    def wait_for_success(self, process):
+        status = process.wait()
+        self.assertEqual(status, 0, process.output())
+
+    def digest(self):
+        return subprocess.check_output([program('devo_evo'), 'digest', self.output], text=True).strip()
+
+    def undisturbed_digest(self, **parameters):
+        """What `devo_evo evolve` makes of the same parameters."""
+        parameters = dict(SMALL, **parameters)
+        key = tuple(sorted(parameters.items()))
+        if key not in self.digests:
+            output = os.path.join(self.folder, 'undisturbed')
+            options = [part for name, value in parameters.items() for part in ('--' + name, str(value))]
+            subprocess.run([program('devo_evo'), 'evolve', '--simulators', '2', '--output', output] + options,
+                           check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            self.digests[key] = subprocess.check_output(
+                [program('devo_evo'), 'digest', output], text=True).strip()
+        return self.digests[key]
