@@ -14,6 +14,7 @@ int main(int argc, char** argv)
   const int status = runNode(
       [&]
       {
+        ros::start();  // here, so that ROS outlives the node and can tell of what it throws
         node = std::make_unique<EvolverNode>(readParameters(ros::this_node::getName()));
         node->run();
         return 0;

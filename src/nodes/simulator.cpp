@@ -13,6 +13,7 @@ int main(int argc, char** argv)
   return runNode(
       [&]
       {
+        ros::start();  // here, so that ROS outlives the node and can tell of what it throws
         const bool shared = argc == 3 && std::string(argv[1]) == "--parameters";
         if (argc > 1 && !shared)
         {

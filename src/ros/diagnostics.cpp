@@ -1,5 +1,6 @@
 #include "ros/diagnostics.h"
 
+#include "devo_evo/experiment/report_text.h"
 #include "devo_evo/soft_body/text.h"
 #include "ros/conversions.h"
 
@@ -44,8 +45,8 @@ DiagnosticStatus statusOf(const ExperimentStatus& experiment, int64_t usable)
   add(status, "generations per trial", toText(experiment.generations));
   add(status, "generations committed", toText(experiment.generations_committed));
   add(status, "evaluations since start", toText(experiment.total_evaluations));
-  add(status, "evaluations per second", toText(experiment.evaluations_per_s));
-  add(status, "time left [s]", toText(experiment.remaining_s));
+  add(status, "evaluations per second", fixedText(experiment.evaluations_per_s, 1));
+  add(status, "time left", durationText(experiment.remaining_s));
   add(status, "usable simulators", toText(usable));
   return status;
 }

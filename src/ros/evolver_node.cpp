@@ -11,7 +11,6 @@
 #include <ros/this_node.h>
 
 #include <algorithm>
-#include <iostream>
 
 namespace devo_evo
 {
@@ -50,19 +49,6 @@ SimulatorFarmSettings farmSettings(const Parameters& parameters, const SoftBodyS
   settings.engine_fingerprint = fingerprint;
   settings.batch_timeout = std::chrono::duration<double>(parameters.batch_timeout);
   return settings;
-}
-
-/// Also where ROS has been shut down from outside, after which its log says nothing more.
-void say(const std::string& text)
-{
-  if (ros::ok())
-  {
-    ROS_INFO_STREAM(text);
-  }
-  else
-  {
-    std::cout << text << std::endl;
-  }
 }
 
 bool isBetter(const EvolvedRobot& candidate, const EvolvedRobot& present)

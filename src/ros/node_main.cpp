@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <iostream>
 #include <unistd.h>
 
 namespace devo_evo
@@ -38,6 +39,18 @@ void onInterruption(void (*handler)(int))
 }
 }  // namespace
 
+void say(const std::string& text)
+{
+  if (ros::ok())
+  {
+    ROS_INFO_STREAM(text);
+  }
+  else
+  {
+    std::cout << text << std::endl;
+  }
+}
+
 ScopedInterruption::ScopedInterruption()
 {
   onInterruption(noteInterruption);
@@ -63,7 +76,14 @@ int runNode(const std::function<int()>& body)
   }
   catch (const std::exception& e)
   {
-    ROS_FATAL_STREAM(e.what());
+    if (ros::ok())
+    {
+      ROS_FATAL_STREAM(e.what());
+    }
+    else
+    {
+      std::cerr << "[FATAL] " << e.what() << std::endl;
+    }
     return 1;
   }
 }

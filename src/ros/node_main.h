@@ -10,6 +10,9 @@ namespace devo_evo
 /// @return the process's exit status: that of the body; 1 after an exception.
 int runNode(const std::function<int()>& body);
 
+/// Logs a message also where ROS has been shut down, after which its log says nothing more.
+void say(const std::string& text);
+
 /// While one lives, SIGINT, SIGTERM and SIGHUP are only noted, so that work can be brought to a clean end before ROS is
 /// shut down.
 class ScopedInterruption

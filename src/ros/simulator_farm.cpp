@@ -442,12 +442,13 @@ Seconds SimulatorFarm::State::silenceTimeout(const Simulator& simulator) const
   return std::max(settings_.silence_timeout, Seconds(10.0 * simulator.announcement.period));
 }
 
-/// As many robots as it simulates in lock-step, but leaving some for everybody else.
+/// As many robots as it simulates in lock-step, since they take hardly longer than one; but leaving some to every other
+/// simulator that has nothing to do.
 size_t SimulatorFarm::State::batchSize(const Simulator& simulator) const
 {
-  const auto usable = static_cast<size_t>(
-      std::count_if(simulators_.begin(), simulators_.end(), [](const auto& entry) { return entry.second.usable(); }));
-  const size_t share = (pending_.size() + usable - 1) / usable;
+  const auto idle = static_cast<size_t>(std::count_if(
+      simulators_.begin(), simulators_.end(), [](const auto& entry) { return entry.second.phase == Phase::IDLE; }));
+  const size_t share = (pending_.size() + idle - 1) / idle;
   return std::min(share, static_cast<size_t>(simulator.announcement.lanes));
 }
 
