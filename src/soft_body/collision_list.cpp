@@ -9,10 +9,8 @@ namespace devo_evo
 namespace
 {
 constexpr int MINIMUM_LATTICE_DISTANCE = 4;  // face-steps: bonds keep nearer ones apart
-constexpr double MOTION_LIMIT = 0.5;         // between two listings, in voxel sizes
-constexpr double LOOK_LIMIT = 0.2;           // motion between two looks at the listed pairs, in voxel sizes
+constexpr double MOTION_LIMIT = 0.5;         // in voxel sizes
 constexpr double HORIZON = 3.0;              // in voxel sizes
-constexpr double REACH = 0.75;               // in sums of both scales: voxels nearer than that push each other apart
 constexpr size_t SMALL_BODY = 128;           // surface voxels, up to which testing every pair is cheaper than sorting
 
 bool comesBefore(const CollisionPair& a, const CollisionPair& b)
@@ -29,17 +27,6 @@ struct CellEntry
   bool operator<(const CellEntry& other) const { return cell < other.cell; }
 };
 
-double squaredDistance(const double* a, const double* b, int stride)
-{
-  double square = 0.0;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const double apart = b[axis * stride] - a[axis * stride];
-    square += apart * apart;
-  }
-  return square;
-}
-
 int64_t cellOf(double coordinate, double width)
 {
   constexpr double limit = 1e15;  // far outside any world, and safe to convert; NaN goes there too
@@ -48,12 +35,8 @@ int64_t cellOf(double coordinate, double width)
 }
 }  // namespace
 
-CollisionList::CollisionList(const Lattice& lattice, double voxel_size, double longest_stroke, int lanes, int robots)
-  : lattice_(lattice)
-  , voxel_size_(voxel_size)
-  , longest_stroke_(longest_stroke)
-  , lanes_(lanes)
-  , robots_(static_cast<size_t>(robots))
+CollisionList::CollisionList(const Lattice& lattice, double voxel_size, int lanes, int robots)
+  : lattice_(lattice), voxel_size_(voxel_size), lanes_(lanes), motion_(static_cast<size_t>(robots), 0.0)
 {
   const std::vector<int>& surface = lattice_.surface();
   if (surface.size() > SMALL_BODY)
@@ -74,62 +57,42 @@ CollisionList::CollisionList(const Lattice& lattice, double voxel_size, double l
 
 void CollisionList::update(const double* voxels, const double* max_speed_squared, double dt)
 {
-  for (size_t i = 0; i < robots_.size(); ++i)
+  for (size_t robot = 0; robot < motion_.size(); ++robot)
   {
-    RobotPairs& robot = robots_[i];
-    const double motion = std::sqrt(max_speed_squared[i]) * dt / voxel_size_;
-    robot.motion_since_listing += motion;
-    robot.motion_since_look += motion;
-    const bool list_anew = !listed_before_ || robot.motion_since_listing > MOTION_LIMIT;
-    if (list_anew || robot.motion_since_look > LOOK_LIMIT)
+    motion_[robot] += std::sqrt(max_speed_squared[robot]) * dt / voxel_size_;
+    if (!listed_before_ || motion_[robot] > MOTION_LIMIT)
     {
-      const Body body = { voxels, lanes_, static_cast<int>(i) };
-      if (list_anew)
-      {
-        list(body, robot.listed);
-        robot.motion_since_listing = 0.0;
-      }
-      replacePairs(body, robot.listed);
-      robot.motion_since_look = 0.0;
+      list({ voxels, lanes_, static_cast<int>(robot) });
+      motion_[robot] = 0.0;
     }
   }
   listed_before_ = true;
 }
 
-/// The model's condition for listing a pair.
 bool CollisionList::isClose(const Body& body, int voxel_a, int voxel_b) const
 {
-  const double reach = std::min(HORIZON * voxel_size_, 2.0 * body.at(voxel_a, SCALE));
-  return squaredDistance(body.place(voxel_a), body.place(voxel_b), lanes_) < reach * reach;
-}
-
-/// Whether the pair can push before the next look: both may come nearer by LOOK_LIMIT and grow as large as they ever
-/// do.
-bool CollisionList::canTouchSoon(const Body& body, const CollisionPair& pair) const
-{
-  const auto largest_scale = [&](int voxel)
+  double square = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
   {
-    const double at_birth = body.at(voxel, SIZE_AT_BIRTH);
-    const double at_end = at_birth + body.at(voxel, SIZE_CHANGE);
-    return std::max({ voxel_size_, at_birth, at_end }) + longest_stroke_;
-  };
-  const double reach = REACH * (largest_scale(pair.voxel_a) + largest_scale(pair.voxel_b));
-  const double limit = 1.000001 * (reach + 2.0 * LOOK_LIMIT * voxel_size_);  // with room for rounding
-  return squaredDistance(body.place(pair.voxel_a), body.place(pair.voxel_b), lanes_) < limit * limit;
+    const double apart = body.at(voxel_b, POSITION + axis) - body.at(voxel_a, POSITION + axis);
+    square += apart * apart;
+  }
+  const double reach = std::min(HORIZON * voxel_size_, 2.0 * body.at(voxel_a, SCALE));
+  return square < reach * reach;
 }
 
-void CollisionList::listFromCandidates(const Body& body, std::vector<CollisionPair>& listed) const
+void CollisionList::findAmongCandidates(const Body& body)
 {
   for (const CollisionPair& pair : candidates_)
   {
     if (isClose(body, pair.voxel_a, pair.voxel_b))
     {
-      listed.push_back(pair);
+      found_.push_back(pair);
     }
   }
 }
 
-void CollisionList::listByCells(const Body& body, std::vector<CollisionPair>& listed) const
+void CollisionList::findByCells(const Body& body)
 {
   const double width = HORIZON * voxel_size_;
   std::vector<CellEntry> entries;
@@ -156,55 +119,52 @@ void CollisionList::listByCells(const Body& body, std::vector<CollisionPair>& li
               lattice_.manhattanDistance(entry.voxel, other->voxel) >= MINIMUM_LATTICE_DISTANCE &&
               isClose(body, entry.voxel, other->voxel))
           {
-            listed.push_back({ entry.voxel, other->voxel, 0 });
+            found_.push_back({ entry.voxel, other->voxel, 0 });
           }
         }
       }
     }
   }
-  std::sort(listed.begin(), listed.end(), comesBefore);
+  std::sort(found_.begin(), found_.end(), comesBefore);
 }
 
-void CollisionList::list(const Body& body, std::vector<CollisionPair>& listed) const
+void CollisionList::list(const Body& body)
 {
-  listed.clear();
+  found_.clear();
   if (lattice_.surface().size() > SMALL_BODY)
   {
-    listByCells(body, listed);
+    findByCells(body);
   }
   else
   {
-    listFromCandidates(body, listed);
+    findAmongCandidates(body);
   }
-}
 
-/// Replaces the robot's pairs in the common list.
-void CollisionList::replacePairs(const Body& body, const std::vector<CollisionPair>& listed)
-{
+  // Replace this robot's pairs in the common list
   const uint32_t bit = 1u << body.robot;
   merged_.clear();
-  auto old = pairs_.begin();
-  const auto keep_others_before = [&](const CollisionPair* pair)
+  auto found = found_.begin();
+  for (CollisionPair& pair : pairs_)
   {
-    for (; old != pairs_.end() && (pair == nullptr || comesBefore(*old, *pair)); ++old)
+    for (; found != found_.end() && comesBefore(*found, pair); ++found)
     {
-      if ((old->robots & ~bit) != 0)
-      {
-        merged_.push_back({ old->voxel_a, old->voxel_b, old->robots & ~bit });
-      }
+      merged_.push_back({ found->voxel_a, found->voxel_b, bit });
     }
-  };
-  for (const CollisionPair& pair : listed)
-  {
-    if (canTouchSoon(body, pair))
+    pair.robots &= ~bit;
+    if (found != found_.end() && !comesBefore(pair, *found))
     {
-      keep_others_before(&pair);
-      const bool shared = old != pairs_.end() && !comesBefore(pair, *old);
-      merged_.push_back({ pair.voxel_a, pair.voxel_b, shared ? old->robots | bit : bit });
-      old += shared ? 1 : 0;
+      pair.robots |= bit;
+      ++found;
+    }
+    if (pair.robots != 0)
+    {
+      merged_.push_back(pair);
     }
   }
-  keep_others_before(nullptr);
+  for (; found != found_.end(); ++found)
+  {
+    merged_.push_back({ found->voxel_a, found->voxel_b, bit });
+  }
   pairs_.swap(merged_);
 }
 }  // namespace devo_evo

@@ -50,8 +50,7 @@ public:
     , bonds_(lattice_.bonds().size() * static_cast<size_t>(BOND_FIELDS * kernel.lanes))
     , small_angle_(lattice_.bonds().size(), 0xff)
     , static_friction_(static_cast<size_t>(lattice_.voxelCount()), 0)
-    , collisions_(lattice_, settings.voxel_size, settings.actuation_amplitude * settings.voxel_size, kernel.lanes,
-                  robots_)
+    , collisions_(lattice_, settings.voxel_size, kernel.lanes, robots_)
     , lives_(programs.size())
   {
     state_.voxels = voxels_.data();

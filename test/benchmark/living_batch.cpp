@@ -21,8 +21,7 @@ LivingBatch::LivingBatch(const SoftBodySettings& settings, const std::vector<Dev
   , lattice_(settings)
   , constants_(settings, lattice_)
   , collisions_(static_cast<size_t>(listings),
-                CollisionList(lattice_, settings.voxel_size, settings.actuation_amplitude * settings.voxel_size,
-                              kernel.lanes, static_cast<int>(robots.size())))
+                CollisionList(lattice_, settings.voxel_size, kernel.lanes, static_cast<int>(robots.size())))
 {
   const auto voxels = static_cast<size_t>(lattice_.voxelCount());
   const auto bonds = lattice_.bonds().size();

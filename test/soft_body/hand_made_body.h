@@ -27,7 +27,7 @@ public:
     , bonds_(lattice_.bonds().size() * BOND_FIELDS)
     , small_angle_(lattice_.bonds().size(), 0xff)
     , static_friction_(static_cast<size_t>(lattice_.voxelCount()), 0)
-    , collisions_(lattice_, settings.voxel_size, settings.actuation_amplitude * settings.voxel_size, kernel.lanes, 1)
+    , collisions_(lattice_, settings.voxel_size, kernel.lanes, 1)
   {
     state_.voxels = voxels_.data()->lanes;
     state_.bonds = bonds_.data()->lanes;

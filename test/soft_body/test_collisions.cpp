@@ -58,17 +58,11 @@ bool isListed(const CollisionList& list, int voxel_a, int voxel_b)
                      { return pair.voxel_a == voxel_a && pair.voxel_b == voxel_b && (pair.robots & 1u) != 0; });
 }
 
-constexpr double ENDLESS_STROKE = 1.0;
-
 /// A list of collision pairs for one robot, whose voxels are held in hand-set places.
 class ListFor
 {
 public:
-  /// @param longest_stroke [m]; by default so long that every listed pair could touch soon.
-  explicit ListFor(HandMadeBody& body, double longest_stroke = ENDLESS_STROKE)
-    : body_(body), list_(body.lattice(), 0.01, longest_stroke, 1, 1)
-  {
-  }
+  explicit ListFor(HandMadeBody& body) : body_(body), list_(body.lattice(), 0.01, 1, 1) {}
 
   const CollisionList& after(double max_speed, double dt)
   {
@@ -228,20 +222,6 @@ TEST(CollisionList, isRenewedOnceTheBodyMayHaveMovedHalfAVoxel)
   EXPECT_FALSE(isListed(list.after(1.2, 0.001), 0, 4));
 }
 
-TEST(CollisionList, leavesListedPairsOutUntilTheyCanTouchBeforeTheNextLook)
-{
-  // Grown by the stroke of 1 mm they touch at 0.75 (1.6 cm + 1.1 cm) = 2.025 cm; each may come 2 mm nearer before the
-  // next look: a pair further apart than 2.425 cm cannot touch until then
-  Hairpin body(0.0245);
-  body.setScale(0, 0.015);  // lists up to 3 cm
-  ListFor list(body, 0.001);
-  EXPECT_FALSE(isListed(list.after(0.0, 0.001), 0, 4));
-  body.setPosition(4, { 0.0, 0.024, 1.0 });
-  // 1.5 m/s for 1 ms is 0.15 voxels a step: above 0.2 in the second
-  EXPECT_FALSE(isListed(list.after(1.5, 0.001), 0, 4));
-  EXPECT_TRUE(isListed(list.after(1.5, 0.001), 0, 4));
-}
-
 TEST(CollisionList, findsInALargeBodyWhatTestingEveryPairFinds)
 {
   // 7x7x7 crumpled to a third of its size, with voxels of all sizes; some far away, on negative coordinates too
@@ -311,7 +291,7 @@ TEST(CollisionList, isOneForAllRobotsOfABatchInAscendingOrder)
   touch(0, 1, 5);
   touch(1, 0, 4);
   touch(1, 1, 5);
-  CollisionList list(lattice, 0.01, ENDLESS_STROKE, lanes, 2);
+  CollisionList list(lattice, 0.01, lanes, 2);
   const std::vector<double> still(2, 0.0);
   list.update(voxels.data(), still.data(), 1.0);
   ASSERT_EQ(2u, list.pairs().size());
