@@ -35,7 +35,7 @@ struct SoftBodySettings
   double bond_damping = 1.0;         ///< zeta_b, ratio of critical damping [1]
   double contact_damping = 0.8;      ///< zeta_c, of floor contacts [1]
   double global_damping = 0.01;      ///< zeta_g, of every voxel's motion [1]
-  double time_step_fraction = 0.35;  ///< dt over the period of the stiffest bond divided by 2 pi [1]
+  double time_step_fraction = 0.35;  ///< dt times 2 pi sqrt(E L / m), the stiffest frequency [1]
 
   double actuation_frequency = 4.0;   ///< f [Hz]
   double actuation_amplitude = 0.14;  ///< A, in units of voxel_size [1]
