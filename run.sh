@@ -25,9 +25,13 @@ Arguments and their defaults:
     mutation_rate:=self_adaptive   self_adaptive | a number from 0 to 1
     lifetime:=10                   seconds from birth to the end
     grid:=4x4x3                    voxels along x, y and z
-    simulators:=0                  simulator processes; 0: one a core
-    output:=output                 folder of the results, relative to here
-README.md and docs/parameters.md say more.
+    simulators:=0                  simulators on this machine; 0: one a core
+    output:=                       folder of the results; without one,
+                                   ~/devo_evo/<treatment>-...-seed-<seed>
+    config:=                       YAML file with any parameter; these arguments
+                                   go before it (config/experiment.yaml)
+    ns:=devo_evo                   namespace of nodes, topics and services
+Folders and files may be relative to where you are. README.md says more.
 
 Exit status: 0 if the experiment finished or was told to stop, 2 for a wrong
 argument, 130 after Ctrl-C, 143 after SIGTERM, anything else if it failed.
@@ -43,17 +47,27 @@ fail()
   exit 2
 }
 
-# Sets `arguments` to those of roslaunch. It would take a relative folder from ~/.ros, so that is made absolute.
+# Sets `arguments` to those of roslaunch. It would ignore names that it does not know, and look for relative paths in
+# ~/.ros, so names are checked here, and paths made absolute.
 read_arguments()
 {
+  local argument name known given=" "
+  known=" $(usage | sed -n 's/^    \([a-z_]*\):=.*/\1/p' | tr '\n' ' ')"
   arguments=()
   for argument in "$@"; do
+    name=${argument%%:=*}
     case "$argument" in
       -h | --help) usage; exit 0 ;;
-      output:=[!/]*) arguments+=("output:=$PWD/${argument#output:=}") ;;
-      [a-z]*:=*) arguments+=("$argument") ;;
+      [a-z]*:=*) ;;
       *) fail "'$argument' is not argument:=value; ./run.sh --help lists the arguments" ;;
     esac
+    [[ $known == *" $name "* ]] || fail "there is no argument '$name'; there are$known"
+    [[ $given != *" $name "* ]] || fail "'$name' is given twice"
+    given+="$name "
+    case "$argument" in
+      output:=[!/]* | config:=[!/]*) argument="$name:=$PWD/${argument#*:=}" ;;
+    esac
+    arguments+=("$argument")
   done
 }
 
@@ -70,12 +84,20 @@ choose_port()
   fail "the ports from 11311 to 11410, of which the ROS master needs one, are all in use"
 }
 
+# Copies standard error, but for roslaunch's alarm when the evolver, which it requires, has done its work and ends.
+pass_on_errors()
+{
+  trap '' INT TERM HUP # the nodes still have something to say after that
+  exec sed -u '/REQUIRED process/ { N; /finished cleanly/ { N; N; N; d } }' >&2
+}
+
 # Runs roslaunch, passes signals on to it once each, and waits until it has stopped its nodes.
 launch()
 {
   local interrupted=0 launched=0
   set -m # a process group of its own, so that Ctrl-C reaches it through the trap alone
-  roslaunch --port "$port" --no-summary --disable-title devo_evo experiment.launch "${arguments[@]}" </dev/null &
+  roslaunch --port "$port" --no-summary --disable-title devo_evo experiment.launch "${arguments[@]}" \
+    </dev/null 2> >(pass_on_errors) &
   local child=$!
   set +m
   trap 'interrupted=130; kill -INT $child 2>/dev/null || true' INT
@@ -98,6 +120,8 @@ launch()
   elif [ -z "$status" ]; then
     echo "run.sh: the evolver ended without a word; what was committed is safe, the same command goes on from there" >&2
     return 1
+  elif [ "$status" != 0 ]; then
+    echo "run.sh: the experiment failed; [FATAL] above says why" >&2
   fi
   return "$status"
 }

@@ -111,6 +111,17 @@ class RunArgumentsTest(unittest.TestCase):
             self.assertIn(f"'{argument}' is not argument:=value", result.stderr)
             self.assertEqual(result.stdout, "")
 
+    def test_an_unknown_argument_is_refused_and_the_known_ones_are_named(self):
+        for argument in ("sead:=1", "seed trials:=1", "o:=x"):
+            result = self.run_script(argument)
+            self.assertEqual((result.returncode, result.stdout), (2, ""), argument)
+            self.assertIn("treatment profile trials", result.stderr)
+
+    def test_an_argument_given_twice_is_refused(self):
+        result = self.run_script("seed:=1", "trials:=2", "seed:=3")
+        self.assertEqual((result.returncode, result.stdout), (2, ""))
+        self.assertIn("'seed' is given twice", result.stderr)
+
 
 if __name__ == "__main__":
     unittest.main()
