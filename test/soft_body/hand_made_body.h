@@ -9,6 +9,8 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
+#include <array>
 #include <vector>
 
 namespace devo_evo
@@ -24,7 +26,7 @@ public:
     , lattice_(settings)
     , constants_(settings, lattice_)
     , voxels_(static_cast<size_t>(lattice_.voxelCount() * VOXEL_FIELDS))
-    , bonds_(lattice_.bonds().size() * BOND_FIELDS)
+    , bonds_(std::max<size_t>(1, lattice_.bonds().size()) * BOND_FIELDS)
     , small_angle_(lattice_.bonds().size(), 0xff)
     , static_friction_(static_cast<size_t>(lattice_.voxelCount()), 0)
     , collisions_(lattice_, settings.voxel_size, kernel.lanes, 1)
