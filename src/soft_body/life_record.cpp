@@ -10,11 +10,14 @@ namespace
 {
 constexpr double TWO_PI = 6.283185307179586;
 
-// How far a turn by less than 90 degrees rolls the body forwards, towards +y: about -x [rad].
-double forwardRotation(const Eigen::Quaterniond& turn)
+// How far the body rolls forwards, towards +y, from one orientation to the next: about -x [rad]. Less than 90 degrees.
+double forwardRotation(const Eigen::Quaterniond& from, const Eigen::Quaterniond& to)
 {
-  const double sign = turn.w() < 0.0 ? -1.0 : 1.0;
-  return -sign * turn.x() * exactRotationFactor(1.0 - sign * turn.w());
+  // w and x of the turn, to * conjugate(from)
+  const double w = to.w() * from.w() + to.x() * from.x() + to.y() * from.y() + to.z() * from.z();
+  const double x = to.x() * from.w() - to.w() * from.x() + to.z() * from.y() - to.y() * from.z();
+  const double sign = w < 0.0 ? -1.0 : 1.0;
+  return -sign * x * exactRotationFactor(1.0 - sign * w);
 }
 }  // namespace
 
@@ -45,7 +48,7 @@ void LifeRecord::recordContacts(double time, int top_contacts, int other_contact
 
 void LifeRecord::recordOrientation(const Eigen::Quaterniond& orientation)
 {
-  turned_ += forwardRotation(orientation * orientation_.conjugate());
+  turned_ += forwardRotation(orientation_, orientation);
   orientation_ = orientation;
 }
 
