@@ -48,6 +48,12 @@ void SoftBodySettings::validate() const
     throw InvalidInput("grid is " + toText(grid_x) + "x" + toText(grid_y) + "x" + toText(grid_z) +
                        "; it must have at most " + toText(most_voxels) + " voxels");
   }
+  constexpr double most_drag = 6.28;  // from 2 pi on, drag would reverse a voxel's motion with growing speed
+  if (!(global_damping * time_step_fraction <= most_drag))
+  {
+    throw InvalidInput("global_damping times time_step_fraction is " + toText(global_damping * time_step_fraction) +
+                       "; it must be at most " + toText(most_drag));
+  }
   constexpr double most_steps = 1e9;
   if (!((SETTLING_TIME + lifetime) / timeStep() <= most_steps))
   {

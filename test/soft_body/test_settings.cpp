@@ -119,6 +119,14 @@ TEST(Settings, limitTheSizeOfABodyAndTheLengthOfASimulation)
   EXPECT_NE(std::string::npos, verdict.find("ask for more than 1e+09 steps")) << verdict;
 }
 
+TEST(SoftBodySettings, areRefusedWhereDragWouldReverseMotion)
+{
+  SoftBodySettings settings;
+  settings.global_damping = 10.0;
+  settings.time_step_fraction = 0.7;
+  EXPECT_EQ("global_damping times time_step_fraction is 7; it must be at most 6.28", verdictOn(settings));
+}
+
 TEST(Settings, areCheckedBeforeASimulation)
 {
   SoftBodySettings settings;
