@@ -15,10 +15,9 @@ int main(int argc, char** argv)
       {
         ros::start();  // here, so that ROS outlives the node and can tell of what it throws
         const bool shared = argc == 3 && std::string(argv[1]) == "--parameters";
-        if (argc > 1 && !shared)
+        if (!shared)
         {
-          throw InvalidInput(std::string("cannot understand \"") + argv[1] +
-                             "\"; usage: simulator [--parameters NAMESPACE]");
+          refuseArguments(argc, argv);
         }
         const Parameters parameters = readParameters(shared ? argv[2] : ros::this_node::getName());
         const SimulatorNode node(parseInstructionSet(parameters.instruction_set), parameters.announcement_period);

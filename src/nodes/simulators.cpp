@@ -15,6 +15,7 @@ int main(int argc, char** argv)
   return runNode(
       [&]
       {
+        refuseArguments(argc, argv);
         const Parameters parameters = readParameters(ros::this_node::getName());
         parseInstructionSet(parameters.instruction_set);
         arguments.insert(arguments.end(), { "--parameters", ros::this_node::getName() });

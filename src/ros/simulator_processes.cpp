@@ -45,7 +45,12 @@ public:
     sigemptyset(&signals_);
     for (const int signal : { SIGCHLD, SIGINT, SIGTERM, SIGHUP })
     {
-      sigaddset(&signals_, signal);
+      struct sigaction present = {};
+      sigaction(signal, nullptr, &present);
+      if (present.sa_handler != SIG_IGN)  // as SIGHUP is under nohup
+      {
+        sigaddset(&signals_, signal);
+      }
     }
     sigprocmask(SIG_BLOCK, &signals_, &original_signals_);
   }
