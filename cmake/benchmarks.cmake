@@ -24,6 +24,7 @@ foreach(target devo_evo_benchmark devo_evo_archive_benchmark)
   target_compile_definitions(${target} PRIVATE
     BENCHMARK_DIR="${CMAKE_CURRENT_SOURCE_DIR}/test/benchmark"
     TEST_DATA_DIR="${CMAKE_CURRENT_SOURCE_DIR}/test/data")
+  set_target_properties(${target} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/benchmark)
 endforeach()
 
 # The parts of a kernel are compiled as the kernel is.

@@ -14,16 +14,15 @@ int main(int argc, char** argv)
   const int status = runNode(
       [&]
       {
-        refuseArguments(argc, argv);
         ros::start();  // here, so that ROS outlives the node and can tell of what it throws
         node = std::make_unique<EvolverNode>(readParameters(ros::this_node::getName()));
         node->run();
         return 0;
       });
-  leaveStatus(status);
   const bool clean = !node || node->close();
   node.reset();
   ros::shutdown();
+  leaveStatus(status);
   if (!clean)
   {
     std::_Exit(status);  // threads that hang in roscpp must not meet the destruction of static objects

@@ -15,9 +15,10 @@ int main(int argc, char** argv)
       {
         ros::start();  // here, so that ROS outlives the node and can tell of what it throws
         const bool shared = argc == 3 && std::string(argv[1]) == "--parameters";
-        if (!shared)
+        if (argc > 1 && !shared)
         {
-          refuseArguments(argc, argv);
+          throw InvalidInput(std::string("cannot understand \"") + argv[1] +
+                             "\"; usage: simulator [--parameters NAMESPACE]");
         }
         const Parameters parameters = readParameters(shared ? argv[2] : ros::this_node::getName());
         const SimulatorNode node(parseInstructionSet(parameters.instruction_set), parameters.announcement_period);

@@ -15,7 +15,6 @@ int main(int argc, char** argv)
   return runNode(
       [&]
       {
-        refuseArguments(argc, argv);
         const Parameters parameters = readParameters(ros::this_node::getName());
         parseInstructionSet(parameters.instruction_set);
         arguments.insert(arguments.end(), { "--parameters", ros::this_node::getName() });

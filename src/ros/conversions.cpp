@@ -12,8 +12,7 @@ namespace devo_evo
 {
 namespace
 {
-constexpr double WINDOW = 0.5;         // of velocity telemetry [s]
-constexpr size_t LONGEST_LABEL = 255;  // of texts from elsewhere that are shown to people
+constexpr double WINDOW = 0.5;  // of velocity telemetry [s]
 
 void require(bool condition, const std::string& what)
 {
@@ -109,15 +108,11 @@ Evaluation divergedEvaluation(const RobotEvaluation& message, const SoftBodySett
   return evaluation;
 }
 
-bool isPrintable(char character)
-{
-  return character >= ' ' && character <= '~';
-}
-
 void requireLabel(const char* field, const std::string& text)
 {
-  require(std::all_of(text.begin(), text.end(), isPrintable) && text.size() <= LONGEST_LABEL,
-          std::string(field) + " must be at most 255 printable ASCII characters");
+  constexpr size_t longest = 255;
+  const bool printable = std::all_of(text.begin(), text.end(), [](unsigned char c) { return c >= ' ' && c < 127; });
+  require(printable && text.size() <= longest, std::string(field) + " must be at most 255 printable ASCII characters");
 }
 
 void requireResolvedName(const char* field, const std::string& name)
@@ -126,15 +121,6 @@ void requireResolvedName(const char* field, const std::string& name)
   std::string error;
   require(!name.empty() && name[0] == '/' && ros::names::validate(name, error),
           std::string(field) + " must be a resolved name, starting with '/'");
-}
-
-/// Text from elsewhere as it may stand in a log.
-std::string printable(std::string text)
-{
-  text.resize(std::min(text.size(), LONGEST_LABEL));
-  std::replace_if(
-      text.begin(), text.end(), [](char c) { return !isPrintable(c); }, '?');
-  return text;
 }
 
 std::string individualOf(const EvaluationRequest& robot)
@@ -351,7 +337,7 @@ std::vector<EvaluationRequest> robotsOf(const EvaluateGenomes::Request& request,
 std::vector<Evaluation> evaluationsOf(const EvaluateGenomes::Response& response,
                                       const std::vector<EvaluationRequest>& robots, const SoftBodySettings& settings)
 {
-  require(response.error.empty(), "the request was refused: " + printable(response.error));
+  require(response.error.empty(), "the request was refused: " + response.error.substr(0, 255));
   require(response.evaluations.size() == robots.size(), toText(static_cast<int64_t>(response.evaluations.size())) +
                                                             " evaluations for " +
                                                             toText(static_cast<int64_t>(robots.size())) + " robots");

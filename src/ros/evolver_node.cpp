@@ -23,7 +23,7 @@ constexpr std::chrono::seconds SHORTEST_PROGRESS{ 1 };  // between lines on prog
 constexpr std::chrono::seconds LONGEST_PROGRESS{ 60 };
 constexpr double LAST_MESSAGES = 0.3;  // for how long subscribers can still be sent what was published last [s]
 
-/// Results go to a folder of the user's unless a parameter names one.
+/// The arguments say where results go; without one, a folder of the user's.
 ExperimentSettings settingsOf(const Parameters& parameters)
 {
   ExperimentSettings settings = parameters.experiment;

@@ -1,6 +1,5 @@
 #include "ros/node_main.h"
 
-#include "devo_evo/soft_body/settings.h"
 #include "devo_evo/soft_body/text.h"
 
 #include <ros/console.h>
@@ -31,26 +30,14 @@ void noteInterruption(int /*signal*/)
   interrupted = true;
 }
 
-/// Signals that are ignored, as SIGHUP under nohup, stay so.
 void onInterruption(void (*handler)(int))
 {
   for (const int signal : { SIGINT, SIGTERM, SIGHUP })
   {
-    if (std::signal(signal, handler) == SIG_IGN)
-    {
-      std::signal(signal, SIG_IGN);
-    }
+    std::signal(signal, handler);
   }
 }
 }  // namespace
-
-void refuseArguments(int argc, const char* const* argv)
-{
-  if (argc > 1)
-  {
-    throw InvalidInput(std::string("cannot understand \"") + argv[1] + "\"; parameters are given as _name:=value");
-  }
-}
 
 void say(const std::string& text)
 {

@@ -10,9 +10,6 @@ namespace devo_evo
 /// @return the process's exit status: that of the body; 1 after an exception.
 int runNode(const std::function<int()>& body);
 
-/// Refuses what ros::init() has left of the command line: options that nobody would heed. @throw InvalidInput
-void refuseArguments(int argc, const char* const* argv);
-
 /// Logs a message also where ROS has been shut down, after which its log says nothing more.
 void say(const std::string& text);
 

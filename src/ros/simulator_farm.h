@@ -72,8 +72,9 @@ public:
   std::vector<WorkerStatus> status() const override;
 
   /// Takes no more work, aborts all calls and waits for the threads that make them, at most for two seconds.
-  /// @return whether all have ended. Those that have not hang in the network's code; the process must then end without
-  ///         destroying static objects that this code uses.
+  /// @return whether all have ended; those that have not hang in the network's code and never will do harm, but must
+  /// not
+  ///         see the end of main().
   bool close();
 
 private:

@@ -77,7 +77,7 @@ bool SimulatorNode::evaluate(Evaluate& call)
   {
     call.getResponse().evaluations.clear();
     call.getResponse().error = e.what();
-    ROS_ERROR_STREAM_THROTTLE(1.0, "refused a request of " << call.getCallerName() << ": " << e.what());
+    ROS_ERROR_STREAM("refused a request of " << call.getCallerName() << ": " << e.what());
   }
   busy_ = false;
   return answered;

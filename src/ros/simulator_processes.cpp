@@ -45,12 +45,7 @@ public:
     sigemptyset(&signals_);
     for (const int signal : { SIGCHLD, SIGINT, SIGTERM, SIGHUP })
     {
-      struct sigaction present = {};
-      sigaction(signal, nullptr, &present);
-      if (present.sa_handler != SIG_IGN)  // as SIGHUP is under nohup
-      {
-        sigaddset(&signals_, signal);
-      }
+      sigaddset(&signals_, signal);
     }
     sigprocmask(SIG_BLOCK, &signals_, &original_signals_);
   }

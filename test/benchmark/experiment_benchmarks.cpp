@@ -103,7 +103,6 @@ void runExperiment(benchmark::State& state, const ExperimentScene& scene, int th
   verifyResults(scene.name, experiment.results().hash());
   const auto evaluations = static_cast<double>(experiment.results().evaluations());
   const double generations = scene.trials * (scene.generations + 1);
-  state.counters["threads"] = threads;
   state.counters["trials"] = scene.trials;
   state.counters["evaluations"] = evaluations;
   state.counters["evaluations_per_s_and_core"] = Counter(evaluations / threads, Counter::kIsRate);

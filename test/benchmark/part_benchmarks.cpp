@@ -163,86 +163,100 @@ const std::vector<Moment>& momentsOf(const Target& target)
   return found->second;
 }
 
-/// Mean over the moments of the fastest of several rounds [s].
-double secondsPerStep(StepFunction step, LivingBatch& batch, const std::vector<Moment>& moments)
-{
-  using Clock = std::chrono::steady_clock;
-  Clock::duration sum = Clock::duration::zero();
-  for (const Moment& moment : moments)
-  {
-    Clock::duration fastest = Clock::duration::max();
-    for (int round = 0; round < ROUNDS; ++round)
-    {
-      batch.restore(moment);
-      const Clock::time_point start = Clock::now();
-      step(batch.model(), moment.clock, batch.state());
-      fastest = std::min(fastest, Clock::now() - start);
-    }
-    sum += fastest;
-  }
-  return std::chrono::duration<double>(sum).count() / static_cast<double>(moments.size());
-}
-
 void nothing(const BodyModel&, const StepClock&, BatchState&)
 {
 }
 
-/// A batch to restore moments in.
-LivingBatch makeBatch(const Groups& groups, const Target& target)
+using Clock = std::chrono::steady_clock;
+
+/// Brings a batch to the step after a moment; by a step, so that the caches hold what they hold in a life.
+void arriveAt(const Moment& moment, const Target& target, LivingBatch& batch)
 {
-  return LivingBatch(groups.settings, groups.robots.front(), *target.kernel);
+  batch.restore(moment);
+  target.kernel->step(batch.model(), moment.clock, batch.state());
 }
 
-void timeStep(benchmark::State& state, StepFunction step, const Target& target)
+Clock::duration timeOnce(StepFunction step, const Moment& moment, const Target& target, LivingBatch& batch)
 {
-  const std::vector<Moment>& moments = momentsOf(target);
-  const Groups groups(*target.kernel);
-  LivingBatch batch = makeBatch(groups, target);
-  double seconds = 0.0;
-  for (auto _ : state)
-  {
-    seconds = secondsPerStep(step, batch, moments) - secondsPerStep(nothing, batch, moments);
-    state.SetIterationTime(std::max(seconds, 0.0));
-  }
-  state.counters["us_per_step"] = 1e6 * seconds;
-  state.counters["bonds"] = static_cast<double>(moments.front().small_angle.size());
-  state.counters["voxels"] = groups.settings.voxelCount();
+  arriveAt(moment, target, batch);
+  const Clock::time_point start = Clock::now();
+  step(batch.model(), moment.clock, batch.state());
+  return Clock::now() - start;
 }
 
-void countStep(benchmark::State& state, KernelPart part, const Target& target)
+/// Of each step function the mean over the moments of the fastest of several rounds, without reading the clock [s].
+/// They take turns, so that they are comparable even while the processor changes its frequency.
+std::vector<double> secondsPerStep(const std::vector<StepFunction>& steps, const std::vector<Moment>& moments,
+                                   const Target& target, LivingBatch& batch)
 {
-  const std::vector<Moment>& moments = momentsOf(target);
-  const Groups groups(*target.kernel);
-  LivingBatch batch = makeBatch(groups, target);
-  OperationCounts sum;
+  std::vector<double> seconds(steps.size(), 0.0);
   for (const Moment& moment : moments)
   {
-    batch.restore(moment);
+    Clock::duration overhead = Clock::duration::max();
+    std::vector<Clock::duration> fastest(steps.size(), Clock::duration::max());
+    for (int round = 0; round < ROUNDS; ++round)
+    {
+      overhead = std::min(overhead, timeOnce(nothing, moment, target, batch));
+      for (size_t i = 0; i < steps.size(); ++i)
+      {
+        fastest[i] = std::min(fastest[i], timeOnce(steps[i], moment, target, batch));
+      }
+    }
+    for (size_t i = 0; i < steps.size(); ++i)
+    {
+      seconds[i] += std::chrono::duration<double>(fastest[i] - overhead).count() / static_cast<double>(moments.size());
+    }
+  }
+  return seconds;
+}
+
+/// Mean over the moments of what a step until a part takes.
+OperationCounts operationsPerStep(KernelPart part, const std::vector<Moment>& moments, const Target& target,
+                                  LivingBatch& batch)
+{
+  OperationCounts sum;
+  const auto weight = 1.0 / static_cast<double>(moments.size());
+  for (const Moment& moment : moments)
+  {
+    arriveAt(moment, target, batch);
     const OperationCounts counts =
         countOperations(part, target.kernel->lanes, batch.model(), moment.clock, batch.state());
-    sum.multiply_adds += counts.multiply_adds;
-    sum.simple += counts.simple;
-    sum.divisions += counts.divisions;
-    sum.square_roots += counts.square_roots;
-    sum.selections += counts.selections;
+    sum.multiply_adds += weight * counts.multiply_adds;
+    sum.simple += weight * counts.simple;
+    sum.divisions += weight * counts.divisions;
+    sum.square_roots += weight * counts.square_roots;
+    sum.selections += weight * counts.selections;
   }
-  const auto number = static_cast<double>(moments.size());
-  state.counters["multiply_adds"] = sum.multiply_adds / number;
-  state.counters["simple"] = sum.simple / number;
-  state.counters["divisions"] = sum.divisions / number;
-  state.counters["square_roots"] = sum.square_roots / number;
-  state.counters["selections"] = sum.selections / number;
+  return sum;
 }
 
-void runPart(benchmark::State& state, KernelPart part, const Target& target)
+void runParts(benchmark::State& state, const Target& target)
 {
-  timeStep(state, target.parts->step_until[part], target);
-  countStep(state, part, target);
-}
-
-void runKernel(benchmark::State& state, const Target& target)
-{
-  timeStep(state, target.kernel->step, target);
+  const std::vector<Moment>& moments = momentsOf(target);
+  const Groups groups(*target.kernel);
+  LivingBatch batch(groups.settings, groups.robots.front(), *target.kernel);
+  std::vector<StepFunction> steps(target.parts->step_until, target.parts->step_until + KERNEL_PARTS);
+  steps.push_back(target.kernel->step);
+  std::vector<double> seconds;
+  for (auto _ : state)
+  {
+    seconds = secondsPerStep(steps, moments, target, batch);
+    state.SetIterationTime(seconds.back());
+  }
+  for (int part = 0; part < KERNEL_PARTS; ++part)
+  {
+    const std::string name = std::string("until_") + PART_NAMES[static_cast<size_t>(part)];
+    const OperationCounts counts = operationsPerStep(static_cast<KernelPart>(part), moments, target, batch);
+    state.counters[name + ".us"] = 1e6 * seconds[static_cast<size_t>(part)];
+    state.counters[name + ".multiply_adds"] = counts.multiply_adds;
+    state.counters[name + ".simple"] = counts.simple;
+    state.counters[name + ".divisions"] = counts.divisions;
+    state.counters[name + ".square_roots"] = counts.square_roots;
+    state.counters[name + ".selections"] = counts.selections;
+  }
+  state.counters["kernel.us"] = 1e6 * seconds.back();
+  state.counters["bonds"] = static_cast<double>(moments.front().small_angle.size());
+  state.counters["voxels"] = groups.settings.voxelCount();
 }
 
 void runLoop(benchmark::State& state, int listings, const Target& target)
@@ -303,13 +317,7 @@ void registerPartBenchmarks()
   {
     const Target target = targetOf(instruction_set);
     const std::string name = toString(instruction_set);
-    for (int part = 0; part < KERNEL_PARTS; ++part)
-    {
-      add("parts/" + name + "/until_" + PART_NAMES[static_cast<size_t>(part)], runPart, static_cast<KernelPart>(part),
-          target)
-          ->UseManualTime();
-    }
-    add("parts/" + name + "/kernel", runKernel, target)->UseManualTime();
+    add("parts/" + name, runParts, target)->UseManualTime();
     for (const int listings : { 1, MANY_LISTINGS })
     {
       add("loop/" + name + "/listings:" + toText(listings), runLoop, listings, target);
