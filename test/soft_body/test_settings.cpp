@@ -119,7 +119,7 @@ TEST(Settings, limitTheSizeOfABodyAndTheLengthOfASimulation)
   EXPECT_NE(std::string::npos, verdict.find("ask for more than 1e+09 steps")) << verdict;
 }
 
-TEST(SoftBodySettings, areRefusedWhereDragWouldReverseMotion)
+TEST(Settings, areRefusedWhereDragWouldReverseMotion)
 {
   SoftBodySettings settings;
   settings.global_damping = 10.0;
