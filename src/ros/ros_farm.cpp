@@ -1,6 +1,7 @@
 #include "ros/ros_farm.h"
 
 #include "ros/conversions.h"
+#include "ros/message_reader.h"
 
 #include <ros/console.h>
 #include <ros/service_client.h>
@@ -21,7 +22,14 @@ public:
   bool call(const EvaluateGenomes::Request& request, EvaluateGenomes::Response& response) override
   {
     ros::ServiceClient client = connectedClient();
-    return client.isValid() && client.call(request, response, ros::service_traits::md5sum<EvaluateGenomes>());
+    ros::SerializedMessage received;
+    if (!client.isValid() || !client.call(ros::serialization::serializeMessage(request), received,
+                                          ros::service_traits::md5sum<EvaluateGenomes>()))
+    {
+      return false;
+    }
+    response = readMessage<EvaluateGenomes::Response>(received);
+    return true;
   }
 
   void abort() override

@@ -22,7 +22,7 @@ public:
   virtual ~SimulatorConnection() = default;
 
   /// Sends a request and waits for the answer, for ever if need be.
-  /// @return false if no answer came and none will.
+  /// @return false if no answer came and none will. @throw InvalidInput if what came is none.
   virtual bool call(const EvaluateGenomes::Request& request, EvaluateGenomes::Response& response) = 0;
 
   /// Makes a call() that waits return false soon, where that is possible. From any thread.

@@ -2,7 +2,9 @@
 
 #include "devo_evo/experiment/build_info.h"
 #include "devo_evo/soft_body/text.h"
+#include "ros/checked_service.h"
 #include "ros/conversions.h"
+#include "ros/message_reader.h"
 #include "ros/node_main.h"
 
 #include <ros/console.h>
@@ -44,7 +46,9 @@ SimulatorNode::SimulatorNode(InstructionSet instruction_set, double announcement
   announcements_ = node_.advertise<SimulatorAnnouncement>("simulators", 1, true);
   velocity_ = node_.advertise<VelocityTelemetry>("velocity", 1000);
   private_node_.setCallbackQueue(&requests_);
-  service_ = private_node_.advertiseService("evaluate", &SimulatorNode::evaluate, this);
+  service_ = advertiseCheckedService<EvaluateGenomes>(private_node_, "evaluate",
+                                                      [this](const auto& request, const auto& caller, auto& response)
+                                                      { return evaluate(request, caller, response); });
   evaluation_thread_.start();
   announcement_timer_ = node_.createSteadyTimer(ros::WallDuration(announcement_period_s),
                                                 [this](const ros::SteadyTimerEvent&) { announce(); });
@@ -61,13 +65,14 @@ SimulatorNode::~SimulatorNode()
   evaluation_thread_.stop();
 }
 
-bool SimulatorNode::evaluate(Evaluate& call)
+bool SimulatorNode::evaluate(const ros::SerializedMessage& request, const std::string& caller,
+                             EvaluateGenomes::Response& response)
 {
   busy_ = true;
   bool answered = true;
   try
   {
-    answer(call.getRequest(), call.getResponse());
+    answer(readMessage<EvaluateGenomes::Request>(request), response);
   }
   catch (const EvaluationAbandoned&)
   {
@@ -75,9 +80,9 @@ bool SimulatorNode::evaluate(Evaluate& call)
   }
   catch (const std::exception& e)
   {
-    call.getResponse().evaluations.clear();
-    call.getResponse().error = e.what();
-    ROS_ERROR_STREAM("refused a request of " << call.getCallerName() << ": " << e.what());
+    response.evaluations.clear();
+    response.error = e.what();
+    ROS_ERROR_STREAM("refused a request of " << caller << ": " << e.what());
   }
   busy_ = false;
   return answered;

@@ -34,9 +34,7 @@ public:
   SimulatorNode& operator=(const SimulatorNode&) = delete;
 
 private:
-  using Evaluate = ros::ServiceEvent<EvaluateGenomes::Request, EvaluateGenomes::Response>;
-
-  bool evaluate(Evaluate& call);
+  bool evaluate(const ros::SerializedMessage& request, const std::string& caller, EvaluateGenomes::Response& response);
   void answer(const EvaluateGenomes::Request& request, EvaluateGenomes::Response& response);
   void announce();
 
