@@ -124,6 +124,41 @@ void Query::bind(const Hash128& value)
   statement_.bind(++bound_, value.data(), static_cast<int>(value.size()));
 }
 
+namespace
+{
+constexpr int STEPS_BETWEEN_LOOKS = 100000;  // about a millisecond
+constexpr int LARGEST_VALUE = 8 << 20;       // [bytes]; a genome of 32768 voxels takes 1.25 MiB
+
+/// Reading all that we write takes less than one step a byte.
+uint64_t stepsAllowed(const char* path)
+{
+  constexpr uint64_t least = 1000000;
+  constexpr uint64_t steps_per_byte = 16;
+  uint64_t bytes = 0;
+  for (const std::string& file : { std::string(path), std::string(path) + "-wal" })
+  {
+    std::error_code error;
+    const auto size = std::filesystem::file_size(file, error);
+    bytes += error ? 0 : size;
+  }
+  return least + steps_per_byte * bytes;
+}
+}  // namespace
+
+Connection::Connection(SQLite::Database database)
+  : work_(std::make_unique<Work>(Work{ database.getHandle() })), database_(std::move(database))
+{
+  sqlite3_limit(work_->database, SQLITE_LIMIT_LENGTH, LARGEST_VALUE);
+  sqlite3_progress_handler(work_->database, STEPS_BETWEEN_LOOKS, look, work_.get());
+}
+
+int Connection::look(void* work)
+{
+  Work& done = *static_cast<Work*>(work);
+  done.steps += STEPS_BETWEEN_LOOKS;
+  return done.steps > stepsAllowed(sqlite3_db_filename(done.database, "main")) ? 1 : 0;
+}
+
 SQLite::Statement& Connection::prepared(const char* sql)
 {
   const auto found = statements_.find(sql);
@@ -178,6 +213,9 @@ std::string adviceFor(const std::string& path, int code)
       return "it is not an SQLite database; choose another output folder";
     case SQLITE_CORRUPT:
       return "it is damaged; restore a copy, or save what is left with `sqlite3 FILE .recover`";
+    case SQLITE_INTERRUPT:
+    case SQLITE_TOOBIG:
+      return "it is damaged: there is more to read in it than its size allows; restore a copy";
     case SQLITE_ERROR:
       return "its tables are not those of an archive; restore a copy";
     default:

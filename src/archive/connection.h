@@ -5,6 +5,7 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -82,13 +83,18 @@ private:
   int column_ = 0;
 };
 
-/// An SQLite connection with its prepared statements.
+/// An SQLite connection with its prepared statements. No file can keep it busy for ever, or fill the memory: what is
+/// done in one go is bounded by the file's size, values by what the largest of ours take. SQLite refuses what is
+/// beyond.
 class Connection
 {
 public:
-  explicit Connection(SQLite::Database database) : database_(std::move(database)) {}
+  explicit Connection(SQLite::Database database);
 
   SQLite::Database& database() { return database_; }
+
+  /// Begins something new, to which the bound applies afresh.
+  void beginWork() { work_->steps = 0; }
 
   /// Starts a query; the statement is prepared once. @pre no other query of the same text is in use.
   template <class... Values>
@@ -98,8 +104,19 @@ public:
   }
 
 private:
+  /// What has been done since beginWork(), in steps of SQLite's machine.
+  struct Work
+  {
+    sqlite3* database;
+    uint64_t steps = 0;
+  };
+
+  /// Called by SQLite every now and then. @return whether to stop, 0 or 1.
+  static int look(void* work);
+
   SQLite::Statement& prepared(const char* sql);
 
+  std::unique_ptr<Work> work_;
   SQLite::Database database_;
   std::unordered_map<std::string, SQLite::Statement> statements_;  // by their text
 };

@@ -68,6 +68,19 @@ void setGenome(ArchivedIndividual& archived, const Ancestor& ancestor, const Arc
     individual.genome = Genome();
   }
 }
+
+/// Descendants are made again from stored genomes, which therefore have to fit the settings.
+void checkGenome(const Individual& individual, const ExperimentSettings& settings)
+{
+  try
+  {
+    validate(individual.genome, settings.evolution, settings.body);
+  }
+  catch (const InvalidInput& error)
+  {
+    throw DamagedArchive("individual " + individualName(individual.trial, individual.id) + ": " + error.what());
+  }
+}
 }  // namespace
 
 void insertGenome(Connection& connection, const Individual& individual)
@@ -130,7 +143,7 @@ void pruneGenomes(Connection& connection, int64_t trial, const std::vector<int64
   }
 }
 
-std::vector<ArchivedIndividual> readDescent(Connection& connection, const EvolutionSettings& settings,
+std::vector<ArchivedIndividual> readDescent(Connection& connection, const ExperimentSettings& settings,
                                             const Lattice& lattice, int64_t trial, int64_t id, bool all_ancestors)
 {
   std::vector<Ancestor> ancestors = collectAncestors(connection, lattice.voxelCount(), trial, id, all_ancestors);
@@ -141,7 +154,11 @@ std::vector<ArchivedIndividual> readDescent(Connection& connection, const Evolut
   {
     const ArchivedIndividual* parent = descent.empty() ? nullptr : &descent.back();
     ArchivedIndividual archived = ancestor.row.archived;
-    setGenome(archived, ancestor, parent, settings, lattice);
+    setGenome(archived, ancestor, parent, settings.evolution, lattice);
+    if (ancestor.stored)
+    {
+      checkGenome(archived.individual, settings);
+    }
     descent.push_back(std::move(archived));
   }
   return descent;

@@ -22,6 +22,7 @@ void pruneGenomes(Connection& connection, int64_t trial, const std::vector<int64
 /// The genome of a dead branch is made again from its parent's, since birth is a pure function; has_genome is false if
 /// what was made does not have the hash it should have, as with another version of devo_evo.
 /// @return oldest first; none if there is no such individual.
-std::vector<ArchivedIndividual> readDescent(Connection& connection, const EvolutionSettings& settings,
+/// @throw DamagedArchive if a stored genome has another hash than at birth, or is none of these settings.
+std::vector<ArchivedIndividual> readDescent(Connection& connection, const ExperimentSettings& settings,
                                             const Lattice& lattice, int64_t trial, int64_t id, bool all_ancestors);
 }  // namespace devo_evo

@@ -33,19 +33,20 @@ ExperimentSettings readSettings(Connection& connection)
 {
   Parameters parameters;
   Query query = connection.query("SELECT name, value FROM parameters ORDER BY name");
-  while (query.next())
+  try
   {
-    const std::string name = query.text();
-    const std::string value = query.text();
-    try
+    while (query.next())
     {
+      const std::string name = query.text();
       // One that is missing did not exist when the archive was made: it had its default value.
-      setParameter(parameters, name, value, "table parameters");
+      setParameter(parameters, name, query.text(), "table parameters");
     }
-    catch (const InvalidInput& error)
-    {
-      throw DamagedArchive(error.what());
-    }
+    parameters.experiment.body.validate();
+    parameters.experiment.evolution.validate();
+  }
+  catch (const InvalidInput& error)
+  {
+    throw DamagedArchive(error.what());
   }
   parameters.experiment.output.clear();
   return parameters.experiment;

@@ -33,12 +33,12 @@ SqliteArchive::~SqliteArchive()
 void SqliteArchive::commitGeneration(const GenerationRecord& record)
 {
   checkWritable();
-  guarded(path_, [&] { write(record); });
+  working([&] { write(record); });
 }
 
 std::optional<Evaluation> SqliteArchive::findEvaluation(const Hash128& phenotype_hash) const
 {
-  return guarded(path_, [&] { return findEvaluationOf(connection_, phenotype_hash); });
+  return working([&] { return findEvaluationOf(connection_, phenotype_hash); });
 }
 
 std::map<int64_t, TrialState> SqliteArchive::trialStates() const
@@ -67,7 +67,7 @@ std::vector<ArchivedIndividual> SqliteArchive::readLineage(int64_t trial, int64_
 
 int64_t SqliteArchive::championOf(int64_t trial) const
 {
-  const auto champion = guarded(path_, [&] { return findLastChampion(connection_, trial); });
+  const auto champion = working([&] { return findLastChampion(connection_, trial); });
   if (!champion)
   {
     throw InvalidInput("archive " + path_ + " has no finished generation of trial " + std::to_string(trial));
@@ -77,12 +77,12 @@ int64_t SqliteArchive::championOf(int64_t trial) const
 
 std::vector<int64_t> SqliteArchive::trials() const
 {
-  return guarded(path_, [&] { return findTrials(connection_); });
+  return working([&] { return findTrials(connection_); });
 }
 
 ExperimentSettings SqliteArchive::settings() const
 {
-  ExperimentSettings settings = guarded(path_, [&] { return readSettings(connection_); });
+  ExperimentSettings settings = working([&] { return readSettings(connection_); });
   settings.output = output_;
   return settings;
 }
@@ -132,7 +132,7 @@ TrialState SqliteArchive::stateOf(int64_t trial) const
 
 Individual SqliteArchive::survivor(int64_t trial, int64_t id, int64_t generation) const
 {
-  const auto ancestors = readDescent(connection_, settings_.evolution, lattice_, trial, id, false);
+  const auto ancestors = readDescent(connection_, settings_, lattice_, trial, id, false);
   if (ancestors.empty() || !ancestors.back().has_genome || ancestors.back().individual.generation > generation)
   {
     throw DamagedArchive("survivor " + individualName(trial, id) + " of generation " + std::to_string(generation) +
@@ -145,7 +145,7 @@ Individual SqliteArchive::survivor(int64_t trial, int64_t id, int64_t generation
 
 std::vector<ArchivedIndividual> SqliteArchive::descent(int64_t trial, int64_t id, bool all_ancestors) const
 {
-  auto individuals = readDescent(connection_, settings_.evolution, lattice_, trial, id, all_ancestors);
+  auto individuals = readDescent(connection_, settings_, lattice_, trial, id, all_ancestors);
   if (individuals.empty())
   {
     throw InvalidInput("archive " + path_ + " has no individual " + individualName(trial, id));

@@ -28,6 +28,14 @@ public:
   std::string digest() const override;
 
 private:
+  /// Runs an operation on the file. @throw ArchiveError for failures of SQLite and damage.
+  template <class Operation>
+  auto working(Operation operation) const
+  {
+    connection_.beginWork();
+    return guarded(path_, operation);
+  }
+
   /// Runs an operation on one unchanging view of the file. @throw ArchiveError for failures of SQLite and damage.
   template <class Operation>
   auto reading(Operation operation) const
@@ -37,7 +45,7 @@ private:
       const Snapshot snapshot(connection_);
       return operation();
     };
-    return guarded(path_, operation_on_snapshot);
+    return working(operation_on_snapshot);
   }
 
   void checkWritable() const;

@@ -186,6 +186,45 @@ TEST_F(FailureTest, aGenomeThatChangedIsNoticed)
   EXPECT_TRUE(contains(messageOf<ArchiveError>([&] { archive->trialStates(); }), "31 bytes instead of 32"));
 }
 
+TEST_F(FailureTest, genomesThatDoNotFitTheSettingsAreNoticed)
+{
+  settings_.evolution.mutation_rate = 0.5;
+  evolve(*openArchiveForWriting(settings_, someProvenance()), settings_, 1, 0);
+  openFile(settings_.output, SQLite::OPEN_READWRITE)
+      .exec("UPDATE parameters SET value = 'self_adaptive' WHERE name = 'mutation_rate'");
+  EXPECT_TRUE(contains(messageOf<ArchiveError>([&] { openArchiveForReading(settings_.output)->trialStates(); }),
+                       "mutation_rate has 0 values; self-adaptation needs one per voxel, 4"));
+}
+
+TEST_F(FailureTest, settingsThatContradictEachOtherAreNoticed)
+{
+  openArchiveForWriting(settings_, someProvenance());
+  openFile(settings_.output, SQLite::OPEN_READWRITE)
+      .exec("UPDATE parameters SET value = '64x64x64' WHERE name = 'grid'");
+  EXPECT_TRUE(contains(failureToRead(), "grid is 64x64x64; it must have at most 32768 voxels"));
+}
+
+TEST_F(FailureTest, readingAFileWithoutEndEnds)
+{
+  openArchiveForWriting(settings_, someProvenance());
+  openFile(settings_.output, SQLite::OPEN_READWRITE)
+      .exec(
+          "DROP VIEW champions; DROP TABLE generations; CREATE VIEW generations AS "
+          "WITH RECURSIVE numbers(n) AS (SELECT 1 UNION ALL SELECT n + 1 FROM numbers) "
+          "SELECT n AS trial, 0 AS generation, 0 AS champion FROM numbers");
+  const auto archive = openArchiveForReading(settings_.output);
+  EXPECT_TRUE(contains(messageOf<ArchiveError>([&] { archive->digest(); }), "more to read in it than its size allows"));
+  EXPECT_TRUE(contains(messageOf<ArchiveError>([&] { archive->trials(); }), "more to read in it than its size allows"));
+}
+
+TEST_F(FailureTest, aValueLargerThanAnyOfOursIsNotRead)
+{
+  const auto archive = openArchiveForWriting(settings_, someProvenance());
+  evolve(*archive, settings_, 1, 0);
+  openFile(settings_.output, SQLite::OPEN_READWRITE).exec("UPDATE genomes SET phase_initial = zeroblob(20000000)");
+  EXPECT_TRUE(contains(messageOf<ArchiveError>([&] { archive->trialStates(); }), "more to read in it than its size"));
+}
+
 TEST_F(FailureTest, nonsenseInTheTablesIsNoticed)
 {
   const std::vector<std::string> changes = {
