@@ -9,13 +9,14 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <map>
 
 namespace devo_evo
 {
 namespace
 {
+constexpr size_t LARGEST_FILE = size_t{ 1 } << 20;  // [bytes]; one that names every parameter takes less than 1 % of it
+
 std::string readFile(const std::string& path)
 {
   std::error_code ignored;
@@ -24,10 +25,17 @@ std::string readFile(const std::string& path)
     throw InvalidInput(path + ": it is a folder; a YAML file is needed");
   }
   std::ifstream file(path, std::ios::binary);
-  std::string content{ std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
-  if (!file)
+  std::string content(LARGEST_FILE + 1, '\0');
+  file.read(content.data(), static_cast<std::streamsize>(content.size()));
+  if (file.bad() || !file.is_open())
   {
     throw InvalidInput(path + ": it cannot be read: " + std::strerror(errno));
+  }
+  content.resize(static_cast<size_t>(file.gcount()));
+  if (content.size() > LARGEST_FILE)
+  {
+    throw InvalidInput(path + ": it has more than " + toText(static_cast<int64_t>(LARGEST_FILE)) +
+                       " bytes; a file of parameters needs far less");
   }
   return content;
 }

@@ -94,13 +94,19 @@ std::string describe(const ParameterValue& value)
   }
   if (const auto* text = std::get_if<std::string>(&value))
   {
-    return "\"" + *text + "\"";
+    return "\"" + abbreviated(*text) + "\"";
   }
   std::string list;
   for (const int64_t item : std::get<std::vector<int64_t>>(value))
   {
     list += (list.empty() ? "" : ", ") + toText(item);
   }
-  return "[" + list + "]";
+  return "[" + abbreviated(list) + "]";
+}
+
+std::string abbreviated(const std::string& text)
+{
+  constexpr size_t longest = 80;
+  return text.size() <= longest ? text : text.substr(0, longest) + "...";
 }
 }  // namespace devo_evo

@@ -21,4 +21,7 @@ std::optional<std::vector<int64_t>> asGrid(const ParameterValue& value);
 
 /// The value as messages show it.
 std::string describe(const ParameterValue& value);
+
+/// Text as messages show it: its beginning, if it is long.
+std::string abbreviated(const std::string& text);
 }  // namespace devo_evo

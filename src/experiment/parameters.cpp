@@ -1,5 +1,7 @@
 #include "devo_evo/experiment/parameters.h"
 
+#include "experiment/parameter_values.h"
+
 #include <algorithm>
 #include <numeric>
 
@@ -35,10 +37,11 @@ const ParameterSpec& parameterSpec(const std::string& name)
   {
     return *spec;
   }
+  const std::string start = abbreviated(name);
   const auto closest = std::min_element(specs.begin(), specs.end(),
                                         [&](const auto& a, const auto& b)
-                                        { return editDistance(name, a.name) < editDistance(name, b.name); });
-  throw InvalidInput("there is no parameter \"" + name + "\"; the closest is " + closest->name);
+                                        { return editDistance(start, a.name) < editDistance(start, b.name); });
+  throw InvalidInput("there is no parameter \"" + start + "\"; the closest is " + closest->name);
 }
 
 void setParameter(Parameters& parameters, const std::string& name, const ParameterValue& value,

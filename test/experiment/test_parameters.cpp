@@ -227,6 +227,8 @@ TEST(SettingAParameter, NamesTheClosestParameterForAnUnknownOne)
 {
   EXPECT_EQ(complaintOfSetting("lifetme", 1.0),
             "--lifetme: there is no parameter \"lifetme\"; the closest is lifetime");
+  EXPECT_EQ(complaintOfSetting(std::string(1000000, 'n'), 1.0).substr(1000002),
+            ": there is no parameter \"" + std::string(80, 'n') + "...\"; the closest is announcement_period");
   EXPECT_NE(complaintOfSetting("generation", 1.0).find("the closest is generations"), std::string::npos);
   EXPECT_NE(complaintOfSetting("mutation-rate", 1.0).find("the closest is mutation_rate"), std::string::npos);
 }
@@ -279,6 +281,23 @@ TEST_F(YamlFile, UnreadableOnesAreNamed)
   EXPECT_EQ(complaint([this] { loadParameters(parameters_, "/nonexistent/file.yaml"); }),
             "/nonexistent/file.yaml: it cannot be read: No such file or directory");
   EXPECT_NE(complaint([this] { loadParameters(parameters_, folder_); }).find("it is a folder"), std::string::npos);
+}
+
+TEST_F(YamlFile, HugeOnesAreRefusedUnread)
+{
+  const std::string comment = "trials: 2 #" + std::string(size_t{ 1 } << 20, '.');
+  EXPECT_EQ(complaintOf(comment), name_ + ": it has more than 1048576 bytes; a file of parameters needs far less");
+  EXPECT_EQ(complaintOf(comment.substr(0, size_t{ 1 } << 20)), "");
+  EXPECT_NE(complaint([this] { loadParameters(parameters_, "/dev/zero"); }).find("more than"), std::string::npos);
+}
+
+TEST_F(YamlFile, ComplaintsStayShortAndCyclesEnd)
+{
+  const std::string long_text(100000, 'x');
+  EXPECT_LT(complaintOf("trials: " + long_text).size(), 300u);
+  EXPECT_LT(complaintOf("? " + long_text + "\n: 1\n").size(), 300u);
+  EXPECT_LT(complaintOf("grid: " + std::string(100000, '[')).size(), 300u);
+  EXPECT_NE(complaintOf("grid: &cycle [*cycle, *cycle, *cycle]\n"), "");
 }
 
 TEST(Documentation, TheConfigurationFileListsEveryParameterAtItsDefault)
