@@ -17,6 +17,10 @@ if(DEVO_EVO_SANITIZE)
   add_link_options(-fsanitize=${DEVO_EVO_SANITIZE})
 endif()
 
+if(DEVO_EVO_FUZZ)
+  add_compile_options(-fsanitize=fuzzer-no-link)
+endif()
+
 find_program(CCACHE ccache)
 mark_as_advanced(CCACHE)
 if(CCACHE AND NOT DEFINED CMAKE_CXX_COMPILER_LAUNCHER)

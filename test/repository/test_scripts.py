@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""run.sh and scripts/install_packages as far as they need neither network nor ROS."""
+"""run.sh and scripts/ as far as they need neither network nor ROS."""
 
 import os
 import pathlib
@@ -121,6 +121,32 @@ class RunArgumentsTest(unittest.TestCase):
         result = self.run_script("seed:=1", "trials:=2", "seed:=3")
         self.assertEqual((result.returncode, result.stdout), (2, ""))
         self.assertIn("'seed' is given twice", result.stderr)
+
+
+class FuzzAndSanitizeArgumentsTest(unittest.TestCase):
+    @staticmethod
+    def run_script(name, *arguments):
+        return subprocess.run([REPOSITORY / "scripts" / name, *arguments], stdin=subprocess.DEVNULL,
+                              capture_output=True, text=True, check=False)
+
+    def test_help_explains_and_does_nothing(self):
+        for name in ("fuzz", "sanitize"):
+            result = self.run_script(name, "--help")
+            self.assertEqual((result.returncode, result.stderr), (0, ""))
+            self.assertIn(f"scripts/{name} [", result.stdout)
+
+    def test_wrong_arguments_are_refused_before_anything_happens(self):
+        for arguments in (("--seconds", "0"), ("--seconds",), ("--faster",), ("no_such_target",)):
+            result = self.run_script("fuzz", *arguments)
+            self.assertEqual((result.returncode, result.stdout), (2, ""), arguments)
+        result = self.run_script("sanitize", "memory")
+        self.assertEqual((result.returncode, result.stdout), (2, ""))
+        self.assertIn("address or thread", result.stderr)
+
+    def test_every_fuzz_target_has_a_corpus_and_every_corpus_a_target(self):
+        sources = [path for path in (REPOSITORY / "test/fuzz").glob("**/*.cpp") if path.stem != "replay"]
+        corpora = [path for path in (REPOSITORY / "test/fuzz/corpus").iterdir() if any(path.iterdir())]
+        self.assertEqual(sorted(path.stem for path in sources), sorted(path.name for path in corpora))
 
 
 if __name__ == "__main__":
