@@ -36,7 +36,8 @@ if(PYTHON3)
     get_filename_component(name ${source} NAME_WE)
     string(REPLACE test_ repository. name ${name})
     add_test(NAME ${name} COMMAND ${PYTHON3} ${source})
-    set_tests_properties(${name} PROPERTIES TIMEOUT 600 ENVIRONMENT BUILD_DIR=${CMAKE_BINARY_DIR})
+    set_tests_properties(${name} PROPERTIES TIMEOUT 600
+      ENVIRONMENT "BUILD_DIR=${CMAKE_BINARY_DIR};DEVO_EVO_TOOL=$<TARGET_FILE:devo_evo_cli>")
   endforeach()
 endif()
 

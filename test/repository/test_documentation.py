@@ -32,5 +32,12 @@ class LaunchArgumentsTest(unittest.TestCase):
         self.assertEqual(re.findall(r"^\| `(\w+)`", table, re.MULTILINE), launch_arguments())
 
 
+class LinksTest(unittest.TestCase):
+    def test_files_that_documents_point_to_exist(self):
+        for document in [REPOSITORY / "README.md", *sorted((REPOSITORY / "docs").glob("*.md"))]:
+            for target in re.findall(r"\]\(([^)#:]+)(?:#[^)]*)?\)", document.read_text(encoding="utf-8")):
+                self.assertTrue((document.parent / target).exists(), f"{document.name} points to {target}")
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """run.sh from outside: a small experiment, with its output where the caller wants it and an exit status that is true.
 
-Reads the build folder from BUILD_DIR.
+run.sh takes the build folder from BUILD_DIR; DEVO_EVO_TOOL is the path of the tool.
 """
 
 import os
@@ -13,7 +13,6 @@ import time
 import unittest
 
 REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
-BUILD = pathlib.Path(os.environ["BUILD_DIR"])
 SMALL = ["population:=4", "generations:=2", "lifetime:=0.2", "simulators:=1"]
 ENDLESS = ["population:=4", "generations:=1000000", "lifetime:=0.2", "simulators:=1"]
 
@@ -71,7 +70,7 @@ class RunTest(unittest.TestCase):
         return process.returncode, output
 
     def digest(self, *arguments):
-        tool = BUILD / "devel/lib/devo_evo/devo_evo"
+        tool = os.environ["DEVO_EVO_TOOL"]
         return subprocess.run([tool, *arguments], check=True, capture_output=True, text=True).stdout.split()[-1]
 
     def await_file(self, path):

@@ -212,7 +212,8 @@ TEST(Reference, statesOfTheFirstGenomes)
                   EXPECT_LE(errors.orientation, 50.0 * position);
                   EXPECT_LE(errors.velocity, 2000.0 * position);
                   EXPECT_LE(errors.angular_velocity, 50000.0 * position);
-                  EXPECT_LE(errors.scale, early ? 1e-9 : 1e-8);  // the reference has sizes and phases in single precision
+                  EXPECT_LE(errors.scale,
+                            early ? 1e-9 : 1e-8);  // the reference has sizes and phases in single precision
                   EXPECT_EQ(0, errors.static_friction);
                   ++next[i];
                 });
