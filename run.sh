@@ -2,7 +2,7 @@
 # Installs what is missing, builds, and runs an experiment: ./run.sh --help.
 set -euo pipefail
 
-repository=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+repository=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
 export BUILD_DIR=${BUILD_DIR:-$repository/build}
 
 usage()

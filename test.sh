@@ -4,7 +4,7 @@
 #   ./test.sh [ctest argument ...]   for example: ./test.sh -R Lattice
 set -euo pipefail
 
-repository=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+repository=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
 export BUILD_DIR=${BUILD_DIR:-$repository/build}
 # Nodes talk to each other on this machine only, also where its host name does not resolve.
 export ROS_HOSTNAME=localhost

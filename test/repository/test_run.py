@@ -7,6 +7,7 @@ run.sh takes the build folder from BUILD_DIR; DEVO_EVO_TOOL is the path of the t
 import os
 import pathlib
 import signal
+import socket
 import subprocess
 import tempfile
 import time
@@ -103,6 +104,18 @@ class RunTest(unittest.TestCase):
         status, output = self.run_script(*SMALL, "output:=file/results")
         self.assertNotEqual(status, 0, output)
         self.assertIn(str(self.here / "file/results"), output)
+
+    def test_a_master_of_somebody_else_is_left_alone(self):
+        with socket.socket() as master:
+            master.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+            try:
+                master.bind(("127.0.0.1", 11311))
+                master.listen()
+            except OSError:
+                pass  # somebody has it indeed
+            status, output = self.run_script(*SMALL, "output:=results")
+        self.assertEqual(status, 0, output)
+        self.assertRegex(output, r"port 11311 is in use; .* export ROS_MASTER_URI=http://localhost:113\d\d")
 
     def test_a_signal_stops_everything(self):
         for number, expected in ((signal.SIGINT, 130), (signal.SIGTERM, 143)):
