@@ -83,8 +83,12 @@ class ServicesTest(ExperimentTest):
         _, generations = self.start_endless()
         diagnostics = self.listen('/diagnostics', DiagnosticArray)
         self.assertTrue(self.call('pause', Trigger).success)
-        wait_until(lambda: any(status.message == 'paused' for array in diagnostics for status in array.status),
-                   'diagnostics tell of the pause')
+
+        def at_rest():
+            return any([status.message for status in array.status] == ['paused', 'idle'] for array in diagnostics
+                       if array.status[0].name.startswith(self.namespace + '/'))
+        wait_until(at_rest, 'generations that ran are finished')
+        time.sleep(0.2)  # until the last report has come
         paused_at = len(generations)
         time.sleep(1.0)
         self.assertEqual(len(generations), paused_at)
