@@ -91,18 +91,26 @@ pass_on_errors()
   exec sed -u '/REQUIRED process/ { N; /finished cleanly/ { N; N; N; d } }' >&2
 }
 
-# Runs roslaunch, passes signals on to it once each, and waits until it has stopped its nodes.
+# Passes a signal on to roslaunch, if it has been started, as the one that it and its nodes end well on.
+interrupt()
+{
+  interrupted=$1
+  [ -z "$child" ] || kill -INT "$child" 2>/dev/null || true
+}
+
+# Runs roslaunch and waits until it has stopped its nodes.
 launch()
 {
-  local interrupted=0 launched=0
+  local interrupted=0 child="" launched=0
+  trap 'interrupt 130' INT
+  trap 'interrupt 143' TERM
+  trap 'interrupt 129' HUP
   set -m # a process group of its own, so that Ctrl-C reaches it through the trap alone
   roslaunch --port "$port" --no-summary --disable-title devo_evo experiment.launch "${arguments[@]}" \
     </dev/null 2> >(pass_on_errors) &
-  local child=$!
+  child=$!
   set +m
-  trap 'interrupted=130; kill -INT $child 2>/dev/null || true' INT
-  trap 'interrupted=143; kill -INT $child 2>/dev/null || true' TERM
-  trap 'interrupted=129; kill -INT $child 2>/dev/null || true' HUP
+  [ "$interrupted" = 0 ] || interrupt "$interrupted"
   wait "$child" || launched=$?
   while kill -0 "$child" 2>/dev/null; do # a signal has ended the wait
     launched=0
