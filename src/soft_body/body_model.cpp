@@ -1,5 +1,6 @@
 #include "body_model.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace devo_evo
@@ -66,5 +67,16 @@ BodyConstants::BodyConstants(const SoftBodySettings& settings, const Lattice& la
   model_.dynamic_friction = settings.dynamic_friction;
   model_.actuation_amplitude = settings.actuation_amplitude * L;
   model_.sideways_bend_test = settings.sideways_bend_test;
+}
+
+StepClock clockOf(const SoftBodySettings& settings, int64_t completed_steps, double time)
+{
+  StepClock clock;
+  clock.first_step = completed_steps == 0;
+  clock.born = time >= SETTLING_TIME;
+  clock.prenatal_growth = std::min(1.0, 2.0 * time / SETTLING_TIME);
+  clock.life_fraction = std::min((time - SETTLING_TIME) / settings.lifetime, 1.0);
+  clock.cycles = settings.actuation_frequency * time;
+  return clock;
 }
 }  // namespace devo_evo

@@ -25,4 +25,7 @@ private:
   std::vector<uint8_t> in_top_layer_;
   BodyModel model_;
 };
+
+/// What the kernel is told of time (docs/physics.md 5) for the step that begins at `time` of the simulator [s].
+StepClock clockOf(const SoftBodySettings& settings, int64_t completed_steps, double time);
 }  // namespace devo_evo

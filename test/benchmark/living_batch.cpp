@@ -107,12 +107,6 @@ void LivingBatch::list()
 
 StepClock LivingBatch::clock() const
 {
-  StepClock clock;
-  clock.first_step = step_count_ == 0;
-  clock.born = time_ >= SETTLING_TIME;
-  clock.prenatal_growth = std::min(1.0, 2.0 * time_ / SETTLING_TIME);
-  clock.life_fraction = std::min((time_ - SETTLING_TIME) / settings_.lifetime, 1.0);
-  clock.cycles = settings_.actuation_frequency * time_;
-  return clock;
+  return clockOf(settings_, step_count_, time_);
 }
 }  // namespace devo_evo
