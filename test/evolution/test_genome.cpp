@@ -1,4 +1,5 @@
 #include "devo_evo/evolution/genome.h"
+#include "evolution/settings_of.h"
 
 #include <gtest/gtest.h>
 
@@ -10,15 +11,6 @@ using namespace devo_evo;
 namespace
 {
 const Lattice LATTICE(4, 4, 3);
-
-EvolutionSettings settingsOf(Treatment treatment, Profile profile, std::optional<double> mutation_rate = std::nullopt)
-{
-  EvolutionSettings settings;
-  settings.treatment = treatment;
-  settings.profile = profile;
-  settings.mutation_rate = mutation_rate;
-  return settings;
-}
 
 Genome founder(const EvolutionSettings& settings, int64_t id = 0, const Lattice& lattice = LATTICE)
 {

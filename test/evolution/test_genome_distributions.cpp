@@ -2,6 +2,7 @@
 // released code. Seeds are fixed; tolerances are four standard errors and half a unit of a table's last digit.
 
 #include "devo_evo/evolution/genome.h"
+#include "evolution/settings_of.h"
 
 #include <gtest/gtest.h>
 
@@ -37,15 +38,6 @@ private:
 #define EXPECT_MEAN(expected, sample, rounding)                                       \
   EXPECT_NEAR(expected, (sample).mean(), 4.0 * (sample).standardError() + (rounding)) \
       << "standard error " << (sample).standardError()
-
-EvolutionSettings settingsOf(Treatment treatment, Profile profile, std::optional<double> mutation_rate = std::nullopt)
-{
-  EvolutionSettings settings;
-  settings.treatment = treatment;
-  settings.profile = profile;
-  settings.mutation_rate = mutation_rate;
-  return settings;
-}
 
 Genome founder(const EvolutionSettings& settings, int64_t id)
 {

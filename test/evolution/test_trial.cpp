@@ -1,6 +1,7 @@
 #include "devo_evo/evolution/trial.h"
 
 #include "evolution/golden.h"
+#include "evolution/settings_of.h"
 
 #include <gtest/gtest.h>
 
@@ -88,15 +89,6 @@ std::string digestOfTrial(const EvolutionSettings& settings, int64_t number = 0)
     records.push_back(std::move(record));
   }
   return digestOf(records);
-}
-
-EvolutionSettings settingsOf(Treatment treatment, Profile profile, std::optional<double> mutation_rate = std::nullopt)
-{
-  EvolutionSettings settings;
-  settings.treatment = treatment;
-  settings.profile = profile;
-  settings.mutation_rate = mutation_rate;
-  return settings;
 }
 
 Evaluation withFitness(double fitness)
