@@ -41,6 +41,21 @@ std::string absolutePath(const std::string& output)
 }
 }  // namespace
 
+std::optional<ArchivedIndividual> bestChampion(const Archive& archive)
+{
+  std::optional<ArchivedIndividual> best;
+  for (const int64_t trial : archive.trials())
+  {
+    ArchivedIndividual champion = archive.readIndividual(trial, archive.championOf(trial));
+    const auto& evaluation = champion.individual.evaluation;
+    if (evaluation && evaluation->valid && (!best || evaluation->fitness > best->individual.evaluation->fitness))
+    {
+      best = std::move(champion);
+    }
+  }
+  return best;
+}
+
 std::string archivePath(const std::string& output)
 {
   return output + "/experiment.db";

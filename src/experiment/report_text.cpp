@@ -4,28 +4,11 @@
 
 #include <charconv>
 #include <cmath>
-#include <optional>
 
 namespace devo_evo
 {
 namespace
 {
-/// The fittest of the trials' champions; of equals the one of the first trial. None if none is valid.
-std::optional<ArchivedIndividual> bestRobot(const Archive& archive)
-{
-  std::optional<ArchivedIndividual> best;
-  for (const int64_t trial : archive.trials())
-  {
-    ArchivedIndividual champion = archive.readIndividual(trial, archive.championOf(trial));
-    const auto& evaluation = champion.individual.evaluation;
-    if (evaluation && evaluation->valid && (!best || evaluation->fitness > best->individual.evaluation->fitness))
-    {
-      best = std::move(champion);
-    }
-  }
-  return best;
-}
-
 std::string describe(const ArchivedIndividual& robot, double lifetime)
 {
   const Individual& individual = robot.individual;
@@ -84,7 +67,7 @@ std::string progressText(const GenerationReport& report, const ExperimentSetting
 
 std::string resultsText(const Archive& archive, const std::string& output)
 {
-  const auto best = bestRobot(archive);
+  const auto best = bestChampion(archive);
   return "Results:    " + archivePath(output) + "\n" +
          (best ? describe(*best, archive.settings().body.lifetime) : "Best robot: none is valid yet\n") +
          "Digest:     " + archive.digest() + "\n";

@@ -90,6 +90,9 @@ public:
   virtual std::string digest() const = 0;
 };
 
+/// The fittest of the trials' champions; of equals the one of the first trial. None if none is valid.
+std::optional<ArchivedIndividual> bestChampion(const Archive& archive);
+
 /// Path of the archive in an output folder.
 std::string archivePath(const std::string& output);
 
