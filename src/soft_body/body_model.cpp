@@ -38,6 +38,7 @@ BodyConstants::BodyConstants(const SoftBodySettings& settings, const Lattice& la
   const double quarter_damping = 0.25 * settings.bond_damping / dt;
 
   model_.voxel_count = lattice.voxelCount();
+  model_.bond_count = static_cast<int>(lattice.bonds().size());
   model_.stride[0] = lattice.index(1, 0, 0);
   model_.stride[1] = lattice.index(0, 1, 0);
   model_.stride[2] = lattice.index(0, 0, 1);

@@ -36,7 +36,11 @@ int64_t cellOf(double coordinate, double width)
 }  // namespace
 
 CollisionList::CollisionList(const Lattice& lattice, double voxel_size, int lanes, int robots)
-  : lattice_(lattice), voxel_size_(voxel_size), lanes_(lanes), motion_(static_cast<size_t>(robots), 0.0)
+  : lattice_(lattice)
+  , voxel_size_(voxel_size)
+  , lanes_(lanes)
+  , motion_(static_cast<size_t>(robots), 0.0)
+  , places_(static_cast<size_t>(lattice.voxelCount()))
 {
   const std::vector<int>& surface = lattice_.surface();
   if (surface.size() > SMALL_BODY)
@@ -69,60 +73,71 @@ void CollisionList::update(const double* voxels, const double* max_speed_squared
   listed_before_ = true;
 }
 
-bool CollisionList::isClose(const Body& body, int voxel_a, int voxel_b) const
+void CollisionList::readPlaces(const Body& body)
 {
-  double square = 0.0;
-  for (int axis = 0; axis < 3; ++axis)
+  for (const int voxel : lattice_.surface())
   {
-    const double apart = body.at(voxel_b, POSITION + axis) - body.at(voxel_a, POSITION + axis);
-    square += apart * apart;
+    const double reach = std::min(HORIZON * voxel_size_, 2.0 * body.at(voxel, SCALE));
+    places_[static_cast<size_t>(voxel)] = {
+      { body.at(voxel, POSITION), body.at(voxel, POSITION + 1), body.at(voxel, POSITION + 2) }, reach * reach
+    };
   }
-  const double reach = std::min(HORIZON * voxel_size_, 2.0 * body.at(voxel_a, SCALE));
-  return square < reach * reach;
 }
 
-void CollisionList::findAmongCandidates(const Body& body)
+inline bool CollisionList::isClose(int voxel_a, int voxel_b) const
+{
+  const Place& a = places_[static_cast<size_t>(voxel_a)];
+  const Place& b = places_[static_cast<size_t>(voxel_b)];
+  double square = 0.0;
+  for (size_t axis = 0; axis < 3; ++axis)
+  {
+    const double apart = b.position[axis] - a.position[axis];
+    square += apart * apart;
+  }
+  return square < a.reach_square;
+}
+
+void CollisionList::findAmongCandidates()
 {
   for (const CollisionPair& pair : candidates_)
   {
-    if (isClose(body, pair.voxel_a, pair.voxel_b))
+    if (isClose(pair.voxel_a, pair.voxel_b))
     {
       found_.push_back(pair);
     }
   }
 }
 
-void CollisionList::findByCells(const Body& body)
+void CollisionList::findByCells()
 {
   const double width = HORIZON * voxel_size_;
   std::vector<CellEntry> entries;
   for (const int voxel : lattice_.surface())
   {
-    entries.push_back({ { cellOf(body.at(voxel, POSITION + 2), width), cellOf(body.at(voxel, POSITION + 1), width),
-                          cellOf(body.at(voxel, POSITION), width) },
-                        voxel });
+    const auto [x, y, z] = places_[static_cast<size_t>(voxel)].position;
+    entries.push_back({ { cellOf(z, width), cellOf(y, width), cellOf(x, width) }, voxel });
   }
   std::sort(entries.begin(), entries.end());
-  for (const CellEntry& entry : entries)
+  const auto list_close = [this](const CellEntry& entry, auto first, auto last)
   {
-    const auto [z, y, x] = entry.cell;
-    for (const int64_t near_z : { z - 1, z, z + 1 })
+    for (auto other = first; other != last; ++other)
     {
-      for (const int64_t near_y : { y - 1, y, y + 1 })
+      const auto [a, b] = std::minmax(entry.voxel, other->voxel);
+      if (isClose(a, b) && lattice_.manhattanDistance(a, b) >= MINIMUM_LATTICE_DISTANCE)
       {
-        const CellEntry first = { { near_z, near_y, x - 1 }, 0 };
-        const CellEntry last = { { near_z, near_y, x + 1 }, 0 };
-        const auto end = std::upper_bound(entries.begin(), entries.end(), last);
-        for (auto other = std::lower_bound(entries.begin(), entries.end(), first); other != end; ++other)
-        {
-          if (entry.voxel < other->voxel &&
-              lattice_.manhattanDistance(entry.voxel, other->voxel) >= MINIMUM_LATTICE_DISTANCE &&
-              isClose(body, entry.voxel, other->voxel))
-          {
-            found_.push_back({ entry.voxel, other->voxel, 0 });
-          }
-        }
+        found_.push_back({ a, b, 0 });
       }
+    }
+  };
+  for (auto entry = entries.begin(); entry != entries.end(); ++entry)
+  {
+    // Each pair is met once: from the cell that comes first
+    const auto [z, y, x] = entry->cell;
+    list_close(*entry, entry + 1, std::upper_bound(entry, entries.end(), CellEntry{ { z, y, x + 1 }, 0 }));
+    for (const auto& [row_z, row_y] : { std::pair(z, y + 1), { z + 1, y - 1 }, { z + 1, y }, { z + 1, y + 1 } })
+    {
+      const auto first = std::lower_bound(entry, entries.end(), CellEntry{ { row_z, row_y, x - 1 }, 0 });
+      list_close(*entry, first, std::upper_bound(first, entries.end(), CellEntry{ { row_z, row_y, x + 1 }, 0 }));
     }
   }
   std::sort(found_.begin(), found_.end(), comesBefore);
@@ -131,13 +146,14 @@ void CollisionList::findByCells(const Body& body)
 void CollisionList::list(const Body& body)
 {
   found_.clear();
+  readPlaces(body);
   if (lattice_.surface().size() > SMALL_BODY)
   {
-    findByCells(body);
+    findByCells();
   }
   else
   {
-    findAmongCandidates(body);
+    findAmongCandidates();
   }
 
   // Replace this robot's pairs in the common list

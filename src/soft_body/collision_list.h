@@ -4,6 +4,7 @@
 
 #include "devo_evo/soft_body/lattice.h"
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -34,9 +35,17 @@ private:
     double at(int voxel, int field) const { return voxels[(voxel * VOXEL_FIELDS + field) * lanes + robot]; }
   };
 
-  bool isClose(const Body& body, int voxel_a, int voxel_b) const;
-  void findAmongCandidates(const Body& body);
-  void findByCells(const Body& body);
+  /// Where a surface voxel is, and how near another one, of a higher number, has to be to be listed with it.
+  struct Place
+  {
+    std::array<double, 3> position;  ///< [m]
+    double reach_square;             ///< [m^2]
+  };
+
+  void readPlaces(const Body& body);
+  bool isClose(int voxel_a, int voxel_b) const;
+  void findAmongCandidates();
+  void findByCells();
   void list(const Body& body);
 
   Lattice lattice_;
@@ -44,6 +53,7 @@ private:
   int lanes_;
   bool listed_before_ = false;
   std::vector<double> motion_;             ///< (robots): farthest that a voxel can have moved, in voxel sizes
+  std::vector<Place> places_;              ///< (voxels) of one robot; unset within the body
   std::vector<CollisionPair> candidates_;  ///< of a small body: all pairs far enough apart in the lattice
   std::vector<CollisionPair> found_;       ///< the close pairs of one robot, ascending
   std::vector<CollisionPair> pairs_;

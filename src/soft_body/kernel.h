@@ -11,6 +11,7 @@ constexpr int MAX_LANES = 8;
 struct BodyModel
 {
   int voxel_count;
+  int bond_count;
   int stride[3];                    ///< from a voxel to its upper neighbour along x, y, z
   const uint8_t* upper_neighbours;  ///< (voxel_count), bit a: has an upper neighbour along axis a
   const uint8_t* in_top_layer;      ///< (voxel_count), 1 in the top layer

@@ -10,7 +10,8 @@ Lattice::Lattice(int size_x, int size_y, int size_z) : size_x_(size_x), size_y_(
   const std::array<int, 3> stride = { 1, size_x, size_x * size_y };
   for (int voxel = 0; voxel < voxelCount(); ++voxel)
   {
-    const std::array<int, 3> position = coordinates(voxel);
+    const std::array<int, 3> position = { voxel % size_x, voxel / size_x % size_y, voxel / (size_x * size_y) };
+    coordinates_.push_back(position);
     bool on_surface = false;
     for (size_t axis = 0; axis < 3; ++axis)
     {
@@ -29,15 +30,10 @@ Lattice::Lattice(int size_x, int size_y, int size_z) : size_x_(size_x), size_y_(
   }
 }
 
-std::array<int, 3> Lattice::coordinates(int index) const
-{
-  return { index % size_x_, index / size_x_ % size_y_, index / (size_x_ * size_y_) };
-}
-
 int Lattice::manhattanDistance(int voxel_a, int voxel_b) const
 {
-  const std::array<int, 3> a = coordinates(voxel_a);
-  const std::array<int, 3> b = coordinates(voxel_b);
+  const std::array<int, 3>& a = coordinates(voxel_a);
+  const std::array<int, 3>& b = coordinates(voxel_b);
   return std::abs(a[0] - b[0]) + std::abs(a[1] - b[1]) + std::abs(a[2] - b[2]);
 }
 

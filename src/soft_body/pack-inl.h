@@ -16,6 +16,18 @@ namespace devo_evo
 {
 namespace
 {
+// Begins to bring an object into the second-level cache.
+template <class Object>
+inline void prefetch(const Object& object)
+{
+  constexpr size_t LINE = 64;  // [bytes]
+#pragma GCC unroll 32
+  for (size_t offset = 0; offset < sizeof object; offset += LINE)
+  {
+    __builtin_prefetch(reinterpret_cast<const char*>(&object) + offset, 0, 2);
+  }
+}
+
 // ---- double: one robot -------------------------------------------------------------------------------------------
 template <class Real>
 struct PackTraits;

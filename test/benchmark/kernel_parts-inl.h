@@ -64,6 +64,7 @@ void stepUntil(const BodyModel& model, const StepClock& clock, BatchState& state
     {
       count += deformBondsOf(voxel, first_number + count, model, voxels, state, bonds + count);
     }
+    fetchAhead(end, first_number + count, model, voxels, memories);
     keep(bonds);
     for (int i = 0; LAST >= ROTATIONS && i < count; ++i)
     {

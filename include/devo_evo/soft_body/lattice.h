@@ -28,7 +28,7 @@ public:
   int index(int x, int y, int z) const { return x + size_x_ * (y + size_y_ * z); }
 
   /// Coordinates (x, y, z) of a flat index.
-  std::array<int, 3> coordinates(int index) const;
+  const std::array<int, 3>& coordinates(int index) const { return coordinates_[static_cast<size_t>(index)]; }
 
   /// All bonds, by voxel 1 and then by axis.
   const std::vector<Bond>& bonds() const { return bonds_; }
@@ -44,6 +44,7 @@ public:
 
 private:
   int size_x_, size_y_, size_z_;
+  std::vector<std::array<int, 3>> coordinates_;  ///< kept since the search for collisions asks for them all the time
   std::vector<Bond> bonds_;
   std::vector<int> surface_;
 };
