@@ -2,7 +2,7 @@
 
 #include "archive/bytes.h"
 #include "archive/generation_table.h"
-#include "evolution/sha256.h"
+#include "soft_body/sha256.h"
 
 namespace devo_evo
 {

@@ -1,7 +1,7 @@
 #include "devo_evo/evolution/genome.h"
 
 #include "devo_evo/soft_body/text.h"
-#include "evolution/sha256.h"
+#include "soft_body/sha256.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "devo_evo/evolution/random.h"
 
 #include "evolution/portable_math.h"
-#include "evolution/sha256.h"
+#include "soft_body/sha256.h"
 
 #include <Random123/philox.h>
 

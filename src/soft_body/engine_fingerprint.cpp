@@ -45,6 +45,6 @@ uint64_t engineFingerprint(InstructionSet instruction_set)
     hash.add(evaluation.fitness);
     hash.add(evaluation.state_hash);
   }
-  return hash.value();
+  return hash.finish();
 }
 }  // namespace devo_evo

@@ -283,7 +283,7 @@ private:
       }
       hash.add(staticFriction(robot, voxel));
     }
-    return hash.value();
+    return hash.finish();
   }
 
   const SoftBodySettings settings_;

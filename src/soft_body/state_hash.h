@@ -1,7 +1,8 @@
 #pragma once
 
+#include "soft_body/sha256.h"
+
 #include <cstdint>
-#include <vector>
 
 namespace devo_evo
 {
@@ -10,12 +11,14 @@ namespace devo_evo
 class StateHash
 {
 public:
-  void add(double number);
+  void add(double number) { sha_.add(number + 0.0); }
   void add(bool flag);
-  void add(uint64_t bits);
-  uint64_t value() const;
+  void add(uint64_t bits) { sha_.add(bits); }
+
+  /// Nothing can be added after it.
+  uint64_t finish();
 
 private:
-  std::vector<uint8_t> bytes_;
+  Sha256 sha_;
 };
 }  // namespace devo_evo

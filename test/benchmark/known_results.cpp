@@ -46,7 +46,7 @@ uint64_t combinedHash(const std::vector<Evaluation>& evaluations)
       hash.add(evaluation.state_hash);
     }
   }
-  return hash.value();
+  return hash.finish();
 }
 
 void verifyResults(const std::string& scene, uint64_t hash)

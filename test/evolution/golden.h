@@ -1,6 +1,6 @@
 #pragma once
 
-#include "evolution/sha256.h"
+#include "soft_body/sha256.h"
 
 #include <string>
 

@@ -63,10 +63,10 @@ TEST(StateHash, isTheStartOfSha256OverLittleEndianNumbersAndFlags)
   hash.add(-0.0);  // counts as zero
   hash.add(uint64_t{ 0x0123456789abcdef });
   hash.add(false);
-  EXPECT_EQ("bbb8186ad7c83cda", hashToString(hash.value()));
+  EXPECT_EQ("bbb8186ad7c83cda", hashToString(hash.finish()));
 }
 
 TEST(StateHash, ofNothingIsThatOfAnEmptyMessage)
 {
-  EXPECT_EQ("e3b0c44298fc1c14", hashToString(StateHash().value()));
+  EXPECT_EQ("e3b0c44298fc1c14", hashToString(StateHash().finish()));
 }

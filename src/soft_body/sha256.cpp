@@ -1,4 +1,4 @@
-#include "evolution/sha256.h"
+#include "soft_body/sha256.h"
 
 #include <openssl/evp.h>
 
