@@ -65,12 +65,6 @@ std::unique_ptr<Archive> openArchiveForWriting(const ExperimentSettings& setting
                                                int64_t maximum_size)
 {
   const std::string output = absolutePath(settings.output);
-  const std::string network = networkFileSystem(output);
-  if (!network.empty())
-  {
-    throw ArchiveError("output folder " + output + " lies on a network file system (" + network +
-                       "), on which an archive is not safe; choose a folder on a local disk and copy it when finished");
-  }
   makeOutputFolder(output);
   auto lock = std::make_unique<WriterLock>(output);
   const std::string path = archivePath(output);

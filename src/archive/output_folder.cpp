@@ -89,21 +89,6 @@ std::string holderOf(int file)
 }
 }  // namespace
 
-void makeOutputFolder(const std::string& output)
-{
-  std::error_code error;
-  std::filesystem::create_directories(output, error);
-  if (error || !std::filesystem::is_directory(output, error))
-  {
-    throw ArchiveError("output folder " + output +
-                       " cannot be made: " + (error ? error.message() : "there is a file of that name"));
-  }
-  if (access(output.c_str(), W_OK | X_OK) != 0)
-  {
-    throw ArchiveError("output folder " + output + " cannot be written: " + errorText(errno));
-  }
-}
-
 std::string fuseNetworkFileSystem(const std::string& mounts, const std::string& path)
 {
   std::istringstream lines(mounts);
@@ -146,6 +131,27 @@ std::string networkFileSystem(const std::string& path)
   }
   const auto found = NETWORK_FILE_SYSTEMS.find(type);
   return found != NETWORK_FILE_SYSTEMS.end() ? found->second : "";
+}
+
+void makeOutputFolder(const std::string& output)
+{
+  const std::string network = networkFileSystem(output);
+  if (!network.empty())
+  {
+    throw ArchiveError("output folder " + output + " lies on a network file system (" + network +
+                       "), on which an archive is not safe; choose a folder on a local disk and copy it when finished");
+  }
+  std::error_code error;
+  std::filesystem::create_directories(output, error);
+  if (error || !std::filesystem::is_directory(output, error))
+  {
+    throw ArchiveError("output folder " + output +
+                       " cannot be made: " + (error ? error.message() : "there is a file of that name"));
+  }
+  if (access(output.c_str(), W_OK | X_OK) != 0)
+  {
+    throw ArchiveError("output folder " + output + " cannot be written: " + errorText(errno));
+  }
 }
 
 std::pair<uint64_t, uint64_t> fileIdentity(const std::string& path)

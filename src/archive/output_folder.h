@@ -7,7 +7,7 @@
 namespace devo_evo
 {
 /// Makes the folder and those above it. @throw ArchiveError if it cannot be made, or is no folder, or must not be
-/// written.
+/// written, or lies on a network file system.
 void makeOutputFolder(const std::string& output);
 
 /// Name of the network file system that holds the path ("nfs", "fuse.sshfs"), or "" if it is a local one. SQLite's

@@ -13,7 +13,7 @@ constexpr int BUSY_TIMEOUT_MS = 10000;
 constexpr int64_t PAGE_SIZE = 4096;  // [bytes]
 
 // Comments stay in the file: `.schema` shows them. Not STRICT, so that SQLite from before 3.37 reads it too.
-const char* const SCHEMA = R"(
+const char* const SHARED_TABLES = R"(
 CREATE TABLE parameters (  -- of the experiment (docs/parameters.md)
   name  TEXT NOT NULL PRIMARY KEY,
   value TEXT NOT NULL,  -- as one would write it; numbers read back as the same number
@@ -30,7 +30,9 @@ CREATE TABLE starts (  -- each time that an evolver opened this archive: where r
   host               TEXT NOT NULL,
   engine_fingerprint BLOB                  -- 8 bytes; equal for engines that give equal results; NULL: not known
 );
+)";
 
+const char* const EXPERIMENT_TABLES = R"(
 CREATE TABLE individuals (  -- everybody who ever lived
   trial             INTEGER NOT NULL,
   id                INTEGER NOT NULL,  -- counts up from 0 within the trial, in order of birth
@@ -137,14 +139,20 @@ void distrustSchema(SQLite::Database& database)
 }
 }  // namespace
 
-Connection connectForWriting(const std::string& path, int64_t maximum_size)
+const FileKind& experimentFile()
+{
+  static const FileKind kind = { 0x6465766f, 1, EXPERIMENT_TABLES, "experiment" };
+  return kind;
+}
+
+Connection connectForWriting(const std::string& path, int64_t maximum_size, const FileKind& kind)
 {
   SQLite::Database database(path, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, BUSY_TIMEOUT_MS);
   distrustSchema(database);
   Connection connection(std::move(database));
   if (!isEmpty(connection))
   {
-    checkSchema(connection, path);  // before anything is changed in it
+    checkSchema(connection, path, kind);  // before anything is changed in it
   }
   if (connection.database().execAndGet("PRAGMA journal_mode = WAL").getString() != "wal")
   {
@@ -188,33 +196,34 @@ Connection connectForReading(const std::string& path)
   return Connection(std::move(database));
 }
 
-bool createSchema(Connection& connection)
+bool createSchema(Connection& connection, const FileKind& kind)
 {
   if (!isEmpty(connection))
   {
     return false;
   }
-  connection.database().exec(SCHEMA);
-  connection.database().exec("PRAGMA application_id = " + std::to_string(APPLICATION_ID));
-  connection.database().exec("PRAGMA user_version = " + std::to_string(SCHEMA_VERSION));
+  connection.database().exec(SHARED_TABLES);
+  connection.database().exec(kind.tables);
+  connection.database().exec("PRAGMA application_id = " + std::to_string(kind.application_id));
+  connection.database().exec("PRAGMA user_version = " + std::to_string(kind.version));
   return true;
 }
 
-void checkSchema(Connection& connection, const std::string& path)
+void checkSchema(Connection& connection, const std::string& path, const FileKind& kind)
 {
   if (isEmpty(connection))
   {
-    throw ArchiveError("archive " + path + " is empty: its experiment has not begun");
+    throw ArchiveError("archive " + path + " is empty: its " + kind.name + " has not begun");
   }
-  if (pragma(connection, "application_id") != APPLICATION_ID)
+  if (pragma(connection, "application_id") != kind.application_id)
   {
     throw ArchiveError("archive " + path + ": it is a database of another program; choose another output folder");
   }
   const int64_t version = pragma(connection, "user_version");
-  if (version != SCHEMA_VERSION)
+  if (version != kind.version)
   {
     throw ArchiveError("archive " + path + ": its tables are of version " + std::to_string(version) +
-                       ", of which this devo_evo knows only " + std::to_string(SCHEMA_VERSION) +
+                       ", of which this devo_evo knows only " + std::to_string(kind.version) +
                        "; use the devo_evo that made it, or a newer one");
   }
 }

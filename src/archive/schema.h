@@ -6,21 +6,29 @@
 
 namespace devo_evo
 {
-/// Marks an SQLite file as ours ("devo" in ASCII), and tells the versions of its tables apart.
-constexpr int64_t APPLICATION_ID = 0x6465766f;
-constexpr int64_t SCHEMA_VERSION = 1;
+/// A kind of SQLite file of ours. All have the tables `parameters` and `starts`.
+struct FileKind
+{
+  int64_t application_id;  ///< marks it as ours, and of this kind
+  int64_t version;         ///< of its tables
+  const char* tables;      ///< SQL that makes the others
+  std::string name;        ///< of what it holds, for messages
+};
+
+/// `experiment.db`: application_id is "devo" in ASCII.
+const FileKind& experimentFile();
 
 /// Opens the file for writing and sets it up to survive a crash; makes an empty file if there is none.
 /// @param maximum_size beyond which the file must not grow [bytes]; 0: no limit.
 /// @throw ArchiveError as checkSchema(), but takes an empty file.
-Connection connectForWriting(const std::string& path, int64_t maximum_size);
+Connection connectForWriting(const std::string& path, int64_t maximum_size, const FileKind& kind = experimentFile());
 
 /// Opens an existing file for reading. @throw ArchiveError if there is none.
 Connection connectForReading(const std::string& path);
 
 /// Makes the tables in a new file. @return false if there are tables already.
-bool createSchema(Connection& connection);
+bool createSchema(Connection& connection, const FileKind& kind = experimentFile());
 
 /// @throw ArchiveError if the file is empty, not ours, or of a newer version.
-void checkSchema(Connection& connection, const std::string& path);
+void checkSchema(Connection& connection, const std::string& path, const FileKind& kind = experimentFile());
 }  // namespace devo_evo

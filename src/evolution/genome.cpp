@@ -23,11 +23,17 @@ void mirror(std::vector<double>& values, const Lattice& lattice)
   }
 }
 
-/// Without development, what does not evolve follows what does.
-void copyInitialToFinal(DevelopmentalProgram& program)
+/// What does not develop keeps its initial values.
+void copyInitialToFinal(DevelopmentalProgram& program, Treatment treatment)
 {
-  program.size_gene_final = program.size_gene_initial;
-  program.phase_final = program.phase_initial;
+  if (!specOf(treatment).body_develops)
+  {
+    program.size_gene_final = program.size_gene_initial;
+  }
+  if (!specOf(treatment).control_develops)
+  {
+    program.phase_final = program.phase_initial;
+  }
 }
 
 /// Mutates every mutation rate; without self-adaptation there are none.
@@ -59,6 +65,11 @@ std::vector<bool> selectTraits(size_t count, Profile profile, RandomStream& rand
   return selected;
 }
 
+void mutateValue(double& value, const TraitSpec& trait, RandomStream& random)
+{
+  value = std::clamp(value + trait.mutation_sigma * random.normal(), -trait.limit, trait.limit);
+}
+
 void mutateTrait(Genome& genome, const TraitSpec& trait, const EvolutionSettings& settings, const Lattice& lattice,
                  RandomStream& random)
 {
@@ -68,7 +79,7 @@ void mutateTrait(Genome& genome, const TraitSpec& trait, const EvolutionSettings
     const double rate = settings.mutation_rate ? *settings.mutation_rate : genome.mutation_rate[voxel];
     if (random.uniform() < rate)
     {
-      values[voxel] = std::clamp(values[voxel] + trait.mutation_sigma * random.normal(), -trait.limit, trait.limit);
+      mutateValue(values[voxel], trait, random);
     }
   }
   if (trait.mirrored)
@@ -157,15 +168,17 @@ std::vector<TraitSpec> evolvingTraits(const EvolutionSettings& settings)
 {
   const double size_sigma = settings.size_mutation_sigma;
   const double phase_limit = settings.phaseLimit();
-  std::vector<TraitSpec> traits = {
-    { "size_gene_initial", &DevelopmentalProgram::size_gene_initial, 1.0, size_sigma, true },
-    { "size_gene_final", &DevelopmentalProgram::size_gene_final, 1.0, size_sigma, true },
-    { "phase_initial", &DevelopmentalProgram::phase_initial, phase_limit, phase_limit, false },
-    { "phase_final", &DevelopmentalProgram::phase_final, phase_limit, phase_limit, false },
-  };
-  if (settings.treatment == Treatment::EVO)
+  const TreatmentSpec& treatment = specOf(settings.treatment);
+  std::vector<TraitSpec> traits;
+  traits.push_back({ "size_gene_initial", &DevelopmentalProgram::size_gene_initial, 1.0, size_sigma, true });
+  if (treatment.body_develops)
   {
-    return { traits[0], traits[2] };
+    traits.push_back({ "size_gene_final", &DevelopmentalProgram::size_gene_final, 1.0, size_sigma, true });
+  }
+  traits.push_back({ "phase_initial", &DevelopmentalProgram::phase_initial, phase_limit, phase_limit, false });
+  if (treatment.control_develops)
+  {
+    traits.push_back({ "phase_final", &DevelopmentalProgram::phase_final, phase_limit, phase_limit, false });
   }
   return traits;
 }
@@ -195,17 +208,19 @@ Genome randomGenome(const EvolutionSettings& settings, const Lattice& lattice, R
       mirror(values, lattice);
     }
   }
-  if (settings.treatment == Treatment::EVO)
-  {
-    copyInitialToFinal(genome.program);
-  }
+  copyInitialToFinal(genome.program, settings.treatment);
   return genome;
 }
 
 Genome mutate(const Genome& parent, const EvolutionSettings& settings, const Lattice& lattice, RandomStream& random,
               MutationRecord* record)
 {
-  const std::vector<TraitSpec> traits = evolvingTraits(settings);
+  return mutateTraits(parent, evolvingTraits(settings), settings, lattice, random, record);
+}
+
+Genome mutateTraits(const Genome& parent, const std::vector<TraitSpec>& traits, const EvolutionSettings& settings,
+                    const Lattice& lattice, RandomStream& random, MutationRecord* record)
+{
   const std::vector<bool> selected = selectTraits(traits.size(), settings.profile, random);
   Genome child = parent;
   mutateRates(child.mutation_rate, settings, random);
@@ -220,10 +235,30 @@ Genome mutate(const Genome& parent, const EvolutionSettings& settings, const Lat
       }
     }
   }
-  if (settings.treatment == Treatment::EVO)
+  copyInitialToFinal(child.program, settings.treatment);
+  return child;
+}
+
+Genome mutateOneVoxel(const Genome& parent, const std::vector<TraitSpec>& traits, const EvolutionSettings& settings,
+                      const Lattice& lattice, RandomStream& random)
+{
+  const TraitSpec& trait = traits[random.below(traits.size())];
+  std::vector<int> candidates;
+  for (int voxel = 0; voxel < lattice.voxelCount(); ++voxel)
   {
-    copyInitialToFinal(child.program);
+    if (!trait.mirrored || voxel >= lattice.mirrored(voxel))
+    {
+      candidates.push_back(voxel);
+    }
   }
+  Genome child = parent;
+  std::vector<double>& values = child.program.*trait.values;
+  mutateValue(values[static_cast<size_t>(candidates[random.below(candidates.size())])], trait, random);
+  if (trait.mirrored)
+  {
+    mirror(values, lattice);
+  }
+  copyInitialToFinal(child.program, settings.treatment);
   return child;
 }
 
@@ -244,9 +279,12 @@ void validate(const Genome& genome, const EvolutionSettings& settings, const Sof
   {
     validateTrait(genome, trait, lattice);
   }
-  if (settings.treatment == Treatment::EVO)
+  if (!specOf(settings.treatment).body_develops)
   {
     validateNoDevelopment("size_gene_final", program.size_gene_initial, program.size_gene_final);
+  }
+  if (!specOf(settings.treatment).control_develops)
+  {
     validateNoDevelopment("phase_final", program.phase_initial, program.phase_final);
   }
   validateRates(genome.mutation_rate, settings, body);

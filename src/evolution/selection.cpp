@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <tuple>
 
 namespace devo_evo
@@ -49,6 +50,51 @@ std::vector<size_t> drawFromLevel(size_t level_size, size_t places, RandomStream
     }
   }
   return ranks;
+}
+
+/// Different candidates, all sets of them equally likely.
+std::vector<size_t> drawUniformly(size_t count, size_t places, RandomStream& random)
+{
+  std::vector<size_t> order(count);
+  std::iota(order.begin(), order.end(), 0);
+  const size_t drawn = std::min(count, places);
+  for (size_t place = 0; place < drawn; ++place)
+  {
+    std::swap(order[place], order[place + random.below(count - place)]);
+  }
+  order.resize(drawn);
+  return order;
+}
+
+/// Some of the candidates, in the order of rank() among them.
+std::vector<size_t> ranked(const std::vector<Candidate>& candidates, const std::vector<size_t>& some)
+{
+  std::vector<Candidate> chosen;
+  for (const size_t index : some)
+  {
+    chosen.push_back(candidates[index]);
+  }
+  std::vector<size_t> order;
+  for (const Ranked& place : rank(chosen))
+  {
+    order.push_back(some[place.index]);
+  }
+  return order;
+}
+
+/// The fittest; of equals the younger, and then the newer.
+std::vector<size_t> fittest(const std::vector<Candidate>& candidates, size_t places)
+{
+  const auto key = [&candidates](size_t index)
+  {
+    const Candidate& candidate = candidates[index];
+    return std::make_tuple(-comparableFitness(candidate), candidate.age, -candidate.id);
+  };
+  std::vector<size_t> order(candidates.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [&key](size_t a, size_t b) { return key(a) < key(b); });
+  order.resize(std::min(order.size(), places));
+  return order;
 }
 }  // namespace
 
@@ -115,5 +161,20 @@ std::vector<size_t> selectSurvivors(const std::vector<Candidate>& candidates, si
     first = end;
   }
   return survivors;
+}
+
+std::vector<size_t> selectSurvivors(Selection selection, const std::vector<Candidate>& candidates, size_t population,
+                                    RandomStream& random)
+{
+  switch (selection)
+  {
+    case Selection::NEUTRAL:
+      return ranked(candidates, drawUniformly(candidates.size(), population, random));
+    case Selection::RANDOM_SEARCH:
+      return fittest(candidates, population);
+    case Selection::AFPO:
+      break;
+  }
+  return selectSurvivors(candidates, population, random);
 }
 }  // namespace devo_evo

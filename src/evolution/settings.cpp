@@ -3,11 +3,36 @@
 #include "devo_evo/soft_body/text.h"
 #include "soft_body/check_ranges.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace devo_evo
 {
+const TreatmentSpec& specOf(Treatment treatment)
+{
+  return *std::find_if(std::begin(TREATMENTS), std::end(TREATMENTS),
+                       [=](const TreatmentSpec& spec) { return spec.treatment == treatment; });
+}
+
+std::string treatmentNames()
+{
+  std::string names;
+  for (const TreatmentSpec& spec : TREATMENTS)
+  {
+    const bool last = &spec == std::end(TREATMENTS) - 1;
+    names += (names.empty() ? "" : last ? " or " : ", ") + std::string(spec.name);
+  }
+  return names;
+}
+
 std::string toString(Treatment treatment)
 {
-  return treatment == Treatment::EVO ? "evo" : "evo_devo";
+  return specOf(treatment).name;
+}
+
+std::string toString(Selection selection)
+{
+  return selection == Selection::AFPO ? "afpo" : selection == Selection::NEUTRAL ? "neutral" : "random_search";
 }
 
 std::string toString(Profile profile)
@@ -17,14 +42,14 @@ std::string toString(Profile profile)
 
 Treatment parseTreatment(const std::string& name)
 {
-  for (const Treatment treatment : { Treatment::EVO, Treatment::EVO_DEVO })
+  for (const TreatmentSpec& spec : TREATMENTS)
   {
-    if (name == toString(treatment))
+    if (name == spec.name)
     {
-      return treatment;
+      return spec.treatment;
     }
   }
-  throw InvalidInput("treatment is \"" + name + "\"; it must be evo or evo_devo");
+  throw InvalidInput("treatment is \"" + name + "\"; it must be " + treatmentNames());
 }
 
 Profile parseProfile(const std::string& name)
@@ -37,6 +62,18 @@ Profile parseProfile(const std::string& name)
     }
   }
   throw InvalidInput("profile is \"" + name + "\"; it must be paper or released_code");
+}
+
+Selection parseSelection(const std::string& name)
+{
+  for (const Selection selection : { Selection::AFPO, Selection::NEUTRAL, Selection::RANDOM_SEARCH })
+  {
+    if (name == toString(selection))
+    {
+      return selection;
+    }
+  }
+  throw InvalidInput("selection is \"" + name + "\"; it must be afpo, neutral or random_search");
 }
 
 const std::vector<BoundedField<EvolutionSettings, int>>& evolutionIntegers()
@@ -67,7 +104,8 @@ std::string EvolutionSettings::arm() const
 {
   // Adding 0.0 turns -0.0 into 0.0: equal rates, equal names.
   const std::string rate = mutation_rate ? toText(*mutation_rate + 0.0) : "self_adaptive";
-  return toString(treatment) + "/" + toString(profile) + "/" + rate;
+  const std::string baseline = selection == Selection::AFPO ? "" : "/" + toString(selection);
+  return toString(treatment) + "/" + toString(profile) + "/" + rate + baseline;
 }
 
 void EvolutionSettings::validate() const

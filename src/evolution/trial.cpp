@@ -62,7 +62,7 @@ void describeSurvivors(const std::vector<Individual>& survivors, GenerationRecor
       fitnesses.push_back(survivor.evaluation->fitness);
     }
   }
-  // Nobody dominates the fittest but its equals, and it is the first of the undominated.
+  // Under any selection the fittest comes first: nobody dominates it but its equals.
   record.champion = record.survivors.front();
   record.best_fitness = fitnesses.empty() ? std::numeric_limits<double>::quiet_NaN() : fitnesses.front();
   record.median_fitness = median(fitnesses);
@@ -184,7 +184,8 @@ GenerationRecord Trial::select()
 
   RandomStream random(settings_.seed, settings_.arm(), number_, generation_, 0, RandomPurpose::SURVIVOR_DRAW);
   std::vector<Individual> survivors;
-  for (const size_t index : selectSurvivors(candidates, static_cast<size_t>(settings_.population), random))
+  for (const size_t index :
+       selectSurvivors(settings_.selection, candidates, static_cast<size_t>(settings_.population), random))
   {
     survivors.push_back(std::move(individuals_[index]));
   }
@@ -209,9 +210,10 @@ void Trial::breed()
   RandomStream random(settings_.seed, settings_.arm(), number_, generation_, 0, RandomPurpose::PARENT_ORDER);
   const size_t survivor_count = individuals_.size();
   individuals_.reserve(2 * survivor_count + static_cast<size_t>(settings_.random_injections));
+  const bool have_children = settings_.selection != Selection::RANDOM_SEARCH;
   for (const size_t parent : shuffledOrder(survivor_count, random))
   {
-    addNewborn(&individuals_[parent]);
+    addNewborn(have_children ? &individuals_[parent] : nullptr);
   }
   for (int injection = 0; injection < settings_.random_injections; ++injection)
   {

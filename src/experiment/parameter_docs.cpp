@@ -12,9 +12,13 @@ constexpr size_t COLUMNS = 120;
 const char* groupTitle(const std::string& group)
 {
   static const std::map<std::string, const char*> titles = {
-    { "experiment", "Experiment" },           { "evolution", "Evolution" },
-    { "body", "Body and lifetime" },          { "physics", "Physics" },
-    { "farm", "Where robots are simulated" }, { "nodes", "Nodes" },
+    { "experiment", "Experiment" },
+    { "evolution", "Evolution" },
+    { "body", "Body and lifetime" },
+    { "physics", "Physics" },
+    { "farm", "Where robots are simulated" },
+    { "nodes", "Nodes" },
+    { "study", "Studies" },
   };
   return titles.at(group);
 }

@@ -1,6 +1,7 @@
 #include "devo_evo/experiment/parameters.h"
 
 #include "experiment/parameter_kinds.h"
+#include "experiment/study_parameters.h"
 
 namespace devo_evo
 {
@@ -192,8 +193,9 @@ std::vector<ParameterSpec> experimentSpecs()
   return {
     choiceSpec(
         { "treatment", "experiment", "",
-          "Whether resting lengths and phases develop over a robot's life (evo_devo) or keep their values (evo)." },
-        "evo or evo_devo", treatment, parseTreatment),
+          "What develops over a robot's life: resting lengths and phases (evo_devo), one of them (evo_devo_body, "
+          "evo_devo_control), or nothing (evo)." },
+        treatmentNames(), treatment, parseTreatment),
     choiceSpec({ "profile", "experiment", "",
                  "Which is followed where the paper's text and its released code differ (docs/evolution.md)." },
                "paper or released_code", profile, parseProfile),
@@ -207,7 +209,15 @@ std::vector<ParameterSpec> experimentSpecs()
 
 std::vector<ParameterSpec> evolutionSpecs()
 {
+  const auto selection = [](auto& parameters) -> auto&
+  {
+    return parameters.experiment.evolution.selection;
+  };
   return {
+    choiceSpec({ "selection", "evolution", "",
+                 "Who survives: age-fitness-Pareto optimisation (afpo); or, as baselines, everybody with equal chances "
+                 "(neutral) or the fittest of random robots (random_search)." },
+               "afpo, neutral or random_search", selection, parseSelection),
     evolutionCount("population", "Robots that survive each generation."),
     evolutionCount("random_injections", "Robots of age 0 made at random that join each generation."),
     evolutionNumber("size_mutation_sigma",
@@ -237,7 +247,8 @@ std::vector<ParameterSpec> physicsSpecs()
     bodyNumber("poissons_ratio", "physics", "", "Poisson's ratio nu of voxels."),
     bodyNumber("static_friction", "physics", "", "Coefficient mu_s of static friction between voxels and floor."),
     bodyNumber("dynamic_friction", "physics", "", "Coefficient mu_d of dynamic friction between voxels and floor."),
-    bodyNumber("gravity", "physics", "m/s^2", "Gravitational acceleration g along -z."),
+    bodyNumber("gravity", "physics", "m/s^2", "Gravitational acceleration g; along -z on level ground."),
+    bodyNumber("slope", "physics", "", "Rise over run of the floor along +y; positive: uphill."),
     bodyNumber("bond_damping", "physics", "", "Damping ratio zeta_b of bonds; 1 is critical."),
     bodyNumber("contact_damping", "physics", "", "Damping ratio zeta_c of floor contacts; 1 is critical."),
     bodyNumber("global_damping", "physics", "", "Damping ratio zeta_g of every voxel's motion; 1 is critical."),
@@ -276,7 +287,7 @@ std::vector<ParameterSpec> allSpecs()
 {
   std::vector<ParameterSpec> specs;
   for (const auto& group :
-       { experimentSpecs(), evolutionSpecs(), bodySpecs(), physicsSpecs(), farmSpecs(), nodesSpecs() })
+       { experimentSpecs(), evolutionSpecs(), bodySpecs(), physicsSpecs(), farmSpecs(), nodesSpecs(), studySpecs() })
   {
     specs.insert(specs.end(), group.begin(), group.end());
   }

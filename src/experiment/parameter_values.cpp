@@ -2,6 +2,7 @@
 
 #include "devo_evo/soft_body/text.h"
 
+#include <algorithm>
 #include <charconv>
 
 namespace devo_evo
@@ -76,6 +77,37 @@ std::optional<std::vector<int64_t>> asGrid(const ParameterValue& value)
     }
   }
   return sizes.size() == 3 ? std::optional(sizes) : std::nullopt;
+}
+
+std::optional<std::vector<double>> asReals(const ParameterValue& value)
+{
+  if (const auto* integers = std::get_if<std::vector<int64_t>>(&value))
+  {
+    return std::vector<double>(integers->begin(), integers->end());
+  }
+  auto text = asText(value);
+  if (!text)
+  {
+    const auto number = asReal(value);
+    return number ? std::optional(std::vector<double>{ *number }) : std::nullopt;
+  }
+  text->erase(std::remove(text->begin(), text->end(), ' '), text->end());
+  if (text->size() >= 2 && text->front() == '[' && text->back() == ']')
+  {
+    text = text->substr(1, text->size() - 2);
+  }
+  std::vector<double> numbers;
+  for (size_t begin = 0, end = 0; !text->empty() && end != std::string::npos; begin = end + 1)
+  {
+    end = text->find(',', begin);
+    const auto number = parseNumber<double>(text->substr(begin, end - begin));
+    if (!number)
+    {
+      return std::nullopt;
+    }
+    numbers.push_back(*number);
+  }
+  return numbers;
 }
 
 std::string describe(const ParameterValue& value)

@@ -19,6 +19,9 @@ std::optional<std::string> asText(const ParameterValue& value);
 /// Three whole numbers, from "4x4x3" or [4, 4, 3].
 std::optional<std::vector<int64_t>> asGrid(const ParameterValue& value);
 
+/// Numbers, from "0.5,2", "[0.5, 2]", one number or a list of whole numbers; none from "".
+std::optional<std::vector<double>> asReals(const ParameterValue& value);
+
 /// The value as messages show it.
 std::string describe(const ParameterValue& value);
 

@@ -149,6 +149,7 @@ EvaluationSettings toMsg(const SoftBodySettings& settings)
   message.static_friction = settings.static_friction;
   message.dynamic_friction = settings.dynamic_friction;
   message.gravity = settings.gravity;
+  message.slope = settings.slope;
   message.bond_damping = settings.bond_damping;
   message.contact_damping = settings.contact_damping;
   message.global_damping = settings.global_damping;
@@ -174,6 +175,7 @@ SoftBodySettings fromMsg(const EvaluationSettings& message)
   settings.static_friction = message.static_friction;
   settings.dynamic_friction = message.dynamic_friction;
   settings.gravity = message.gravity;
+  settings.slope = message.slope;
   settings.bond_damping = message.bond_damping;
   settings.contact_damping = message.contact_damping;
   settings.global_damping = message.global_damping;

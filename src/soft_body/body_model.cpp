@@ -48,7 +48,9 @@ BodyConstants::BodyConstants(const SoftBodySettings& settings, const Lattice& la
   model_.nominal_size = L;
   model_.inverse_mass = 1.0 / m;
   model_.inverse_inertia = 1.0 / I;
-  model_.weight = m * settings.gravity;
+  const double cosine = 1.0 / std::sqrt(1.0 + settings.slope * settings.slope);
+  model_.weight = m * settings.gravity * cosine;
+  model_.weight_along_slope = m * settings.gravity * (settings.slope * cosine) + 0.0;
   model_.axial_stiffness = a1;
   model_.torsion_stiffness = a2;
   model_.shear_stiffness = b1;

@@ -680,6 +680,7 @@ inline void moveVoxel(const BodyModel& model, const StepClock& clock, bool in_to
 {
   const Vector<Real> velocity = constant<Real>(model.inverse_mass) * voxel.momentum;
   Vector<Real> force = multiplyAdd(constant<Real>(-model.translation_drag), velocity, voxel.force);
+  force.y = force.y - constant<Real>(model.weight_along_slope);
   force.z = force.z - constant<Real>(model.weight);
   applyFloor(model, penetration(voxel), velocity, voxel, force, static_friction_bits);
   integrateTranslation(model, force, voxel);

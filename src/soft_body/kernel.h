@@ -20,7 +20,8 @@ struct BodyModel
   double nominal_size;        ///< L
   double inverse_mass;        ///< 1 / m
   double inverse_inertia;     ///< 1 / I
-  double weight;              ///< m g
+  double weight;              ///< of a voxel, along -z: m g cos(slope)
+  double weight_along_slope;  ///< along -y: m g sin(slope); never -0.0, so that on level ground it changes no bit
   double axial_stiffness;     ///< a1 = E A / L
   double torsion_stiffness;   ///< a2 = G J / L
   double shear_stiffness;     ///< b1 = 12 E J2 / L^3

@@ -28,6 +28,7 @@ const std::vector<BoundedField<SoftBodySettings, double>>& softBodyReals()
     { "static_friction", &SoftBodySettings::static_friction, 0.0, 100.0 },
     { "dynamic_friction", &SoftBodySettings::dynamic_friction, 0.0, 100.0 },
     { "gravity", &SoftBodySettings::gravity, 0.0, 1000.0 },
+    { "slope", &SoftBodySettings::slope, -10.0, 10.0 },
     { "bond_damping", &SoftBodySettings::bond_damping, 0.0, 10.0 },
     { "contact_damping", &SoftBodySettings::contact_damping, 0.0, 10.0 },
     { "global_damping", &SoftBodySettings::global_damping, 0.0, 10.0 },

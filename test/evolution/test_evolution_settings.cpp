@@ -26,9 +26,15 @@ std::string complaint(const EvolutionSettings& settings)
 
 TEST(EvolutionSettings, namesAreReadBack)
 {
-  for (const Treatment treatment : { Treatment::EVO, Treatment::EVO_DEVO })
+  for (const TreatmentSpec& spec : TREATMENTS)
   {
-    EXPECT_EQ(treatment, parseTreatment(toString(treatment)));
+    EXPECT_EQ(spec.treatment, parseTreatment(toString(spec.treatment)));
+    EXPECT_EQ(spec.name, toString(spec.treatment));
+  }
+  EXPECT_EQ("evo, evo_devo, evo_devo_body or evo_devo_control", treatmentNames());
+  for (const Selection selection : { Selection::AFPO, Selection::NEUTRAL, Selection::RANDOM_SEARCH })
+  {
+    EXPECT_EQ(selection, parseSelection(toString(selection)));
   }
   for (const Profile profile : { Profile::PAPER, Profile::RELEASED_CODE })
   {
@@ -41,6 +47,7 @@ TEST(EvolutionSettings, unknownNamesAreRefused)
   EXPECT_THROW(parseTreatment("Evo"), InvalidInput);
   EXPECT_THROW(parseTreatment(""), InvalidInput);
   EXPECT_THROW(parseProfile("code"), InvalidInput);
+  EXPECT_THROW(parseSelection("none"), InvalidInput);
 }
 
 TEST(EvolutionSettings, phasesMayTakeAQuarterCycleInThePaperAndAWholeOneInTheReleasedCode)

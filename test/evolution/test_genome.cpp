@@ -20,8 +20,9 @@ Genome founder(const EvolutionSettings& settings, int64_t id = 0, const Lattice&
 std::vector<EvolutionSettings> everyArm()
 {
   std::vector<EvolutionSettings> arms;
-  for (const Treatment treatment : { Treatment::EVO, Treatment::EVO_DEVO })
+  for (const TreatmentSpec& spec : TREATMENTS)
   {
+    const Treatment treatment = spec.treatment;
     for (const Profile profile : { Profile::PAPER, Profile::RELEASED_CODE })
     {
       arms.push_back(settingsOf(treatment, profile));

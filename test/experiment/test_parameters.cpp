@@ -158,7 +158,7 @@ TEST(SettingAParameter, SaysWhatIsWrongWhereAndWhatWouldBeRight)
   EXPECT_EQ(complaintOfSetting("generations", std::string("many")),
             "--generations: generations is \"many\"; it must be a whole number within 0 to 1000000");
   EXPECT_EQ(complaintOfSetting("treatment", std::string("evodevo")),
-            "--treatment: treatment is \"evodevo\"; it must be evo or evo_devo");
+            "--treatment: treatment is \"evodevo\"; it must be evo, evo_devo, evo_devo_body or evo_devo_control");
   EXPECT_EQ(complaintOfSetting("grid", std::vector<int64_t>{ 4, 4 }),
             "--grid: grid is [4, 4]; it must be written like 4x4x3 or [4, 4, 3], each within 1 to 64 voxels");
 }

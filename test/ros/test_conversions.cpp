@@ -31,6 +31,7 @@ SoftBodySettings unusualSettings()
   settings.static_friction = 1.2;
   settings.dynamic_friction = 0.4;
   settings.gravity = 9.0;
+  settings.slope = -0.1;
   settings.bond_damping = 0.9;
   settings.contact_damping = 0.7;
   settings.global_damping = 0.02;

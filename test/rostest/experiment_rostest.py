@@ -45,7 +45,7 @@ class LaunchTest(ExperimentTest):
     def test_wrong_arguments_stop_the_start_with_a_message(self):
         for argument, value, message in (
                 ('population', '1', 'population is "1"; it must be a whole number within 2 to 10000'),
-                ('treatment', 'devo', 'treatment is "devo"; it must be evo or evo_devo'),
+                ('treatment', 'devo', 'treatment is "devo"; it must be evo, evo_devo, evo_devo_body or'),
                 ('simulators', 'many', 'simulators is "many"; it must be a whole number within 0 to'),
                 ('output', 'results', 'output is "results"; it must be an absolute path')):
             launched = self.launch('experiment.launch', **dict({'output': self.output, 'simulators': 1},

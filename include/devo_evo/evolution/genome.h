@@ -31,8 +31,8 @@ struct TraitSpec
   bool mirrored;                                      ///< whether the body's symmetry plane mirrors it
 };
 
-/// The traits that evolve under a treatment, in the order of mutation: size_gene_initial, [size_gene_final,]
-/// phase_initial[, phase_final].
+/// The traits that evolve under a treatment, in the order of mutation: size_gene_initial, size_gene_final (if the body
+/// develops), phase_initial, phase_final (if control develops).
 std::vector<TraitSpec> evolvingTraits(const EvolutionSettings& settings);
 
 /// A founder or an injected individual: every evolving trait uniform within its limits, sizes mirrored; mutation rates
@@ -50,6 +50,15 @@ struct MutationRecord
 /// @param record if given, told what was done.
 Genome mutate(const Genome& parent, const EvolutionSettings& settings, const Lattice& lattice, RandomStream& random,
               MutationRecord* record = nullptr);
+
+/// The same with given traits, some of those that evolve, in place of all: a walk in a part of the space of genomes.
+Genome mutateTraits(const Genome& parent, const std::vector<TraitSpec>& traits, const EvolutionSettings& settings,
+                    const Lattice& lattice, RandomStream& random, MutationRecord* record = nullptr);
+
+/// A copy of the parent in which one voxel of one of the traits, each equally likely, is mutated; of a mirrored trait,
+/// one voxel of the half that is copied, and its image. Mutation rates stay as they are.
+Genome mutateOneVoxel(const Genome& parent, const std::vector<TraitSpec>& traits, const EvolutionSettings& settings,
+                      const Lattice& lattice, RandomStream& random);
 
 /// The only way in which individuals come to be: a pure function, so that an individual can be had again from its
 /// parent or, if it has none, from nothing.

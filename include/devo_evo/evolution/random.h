@@ -14,7 +14,11 @@ enum class RandomPurpose : uint32_t
   FOUNDER_GENOME = 1,
   MUTATION = 2,
   PARENT_ORDER = 3,
-  SURVIVOR_DRAW = 4
+  SURVIVOR_DRAW = 4,
+  WALK_RATES = 16,  // from here on for studies
+  WALK_STEP = 17,
+  NEUTRAL_LINEAGE = 18,
+  MUTATION_COUNT = 19
 };
 
 /// A stream of random numbers that is a pure function of its key: no draw depends on order, machine or thread, and

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "devo_evo/evolution/random.h"
+#include "devo_evo/evolution/settings.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -36,4 +37,9 @@ std::vector<Ranked> rank(const std::vector<Candidate>& candidates);
 /// does not, the best and a logarithmic-rank draw of the others.
 /// @return indices of the survivors, in ranking order; all candidates if there are no more than `population`.
 std::vector<size_t> selectSurvivors(const std::vector<Candidate>& candidates, size_t population, RandomStream& random);
+
+/// The same by any kind of selection. The fittest of the survivors comes first; the others in the order of rank() among
+/// them, under random search by fitness.
+std::vector<size_t> selectSurvivors(Selection selection, const std::vector<Candidate>& candidates, size_t population,
+                                    RandomStream& random);
 }  // namespace devo_evo

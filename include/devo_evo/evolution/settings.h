@@ -9,11 +9,41 @@
 
 namespace devo_evo
 {
-/// The paper's two treatments.
+/// What of a robot develops: changes over its life from initial to final values. The first two are the paper's.
+/// To add a treatment, give it a name here and a row in TREATMENTS; everything else follows (docs/evolution.md).
 enum class Treatment
 {
-  EVO,      ///< fixed for life: final values equal initial ones
-  EVO_DEVO  ///< resting lengths and phases develop from initial to final values
+  EVO,
+  EVO_DEVO,
+  EVO_DEVO_BODY,
+  EVO_DEVO_CONTROL
+};
+
+/// What a treatment means.
+struct TreatmentSpec
+{
+  Treatment treatment;
+  const char* name;       ///< as in YAML, launch files and on the command line
+  bool body_develops;     ///< resting lengths; else final values equal initial ones
+  bool control_develops;  ///< phases; else final values equal initial ones
+};
+
+constexpr TreatmentSpec TREATMENTS[] = {
+  { Treatment::EVO, "evo", false, false },
+  { Treatment::EVO_DEVO, "evo_devo", true, true },
+  { Treatment::EVO_DEVO_BODY, "evo_devo_body", true, false },
+  { Treatment::EVO_DEVO_CONTROL, "evo_devo_control", false, true },
+};
+
+/// The treatment's row of TREATMENTS.
+const TreatmentSpec& specOf(Treatment treatment);
+
+/// Who survives a generation. The first is the paper's; the others are baselines (docs/evolution.md, "Baselines").
+enum class Selection
+{
+  AFPO,          ///< Age-Fitness-Pareto optimisation
+  NEUTRAL,       ///< drift: everybody is equally likely to survive
+  RANDOM_SEARCH  ///< nobody has children: all newcomers are random, and the fittest survive
 };
 
 /// Where the paper's text and its released code differ, which of them is followed (README, "Departures").
@@ -23,10 +53,15 @@ enum class Profile
   RELEASED_CODE  ///< phases within +-1 cycle; redrawn until a trait is selected; rates start after one meta-mutation
 };
 
-std::string toString(Treatment treatment);          ///< "evo" or "evo_devo"
+std::string toString(Treatment treatment);          ///< its name in TREATMENTS
 std::string toString(Profile profile);              ///< "paper" or "released_code"
+std::string toString(Selection selection);          ///< "afpo", "neutral" or "random_search"
 Treatment parseTreatment(const std::string& name);  ///< @throw InvalidInput
 Profile parseProfile(const std::string& name);      ///< @throw InvalidInput
+Selection parseSelection(const std::string& name);  ///< @throw InvalidInput
+
+/// For messages and documentation: "evo, evo_devo, evo_devo_body or evo_devo_control".
+std::string treatmentNames();
 
 /// Everything that the evolutionary algorithm depends on besides body and physics. Defaults are the paper's; ranges
 /// stand in evolutionIntegers() and evolutionReals(), except those of mutation_rate and seed.
@@ -34,6 +69,7 @@ struct EvolutionSettings
 {
   Treatment treatment = Treatment::EVO_DEVO;
   Profile profile = Profile::PAPER;
+  Selection selection = Selection::AFPO;
   std::optional<double> mutation_rate;  ///< lambda, fixed and equal for all voxels [1, 0 to 1]; none: self-adaptive
 
   int population = 30;        ///< survivors of each generation [1]
@@ -47,7 +83,8 @@ struct EvolutionSettings
   /// Bound of a phase, and standard deviation of its mutation [cycles]: 1/4 (paper) or 1 (released code).
   double phaseLimit() const;
 
-  /// Names what decides the random numbers besides the seed: "evo_devo/paper/self_adaptive", "evo/released_code/0.5".
+  /// Names what decides the random numbers besides the seed: "evo_devo/paper/self_adaptive", "evo/released_code/0.5",
+  /// "evo/paper/self_adaptive/neutral".
   std::string arm() const;
 
   /// @throw InvalidInput naming the field, its value and its range.

@@ -66,7 +66,8 @@ public:
   /// has not been selected yet.
   GenerationRecord select();
 
-  /// Starts the next generation: all age by one, each survivor has one mutated child, random individuals of age 0 join.
+  /// Starts the next generation: all age by one, each survivor has one mutated child (under random search a random
+  /// individual joins in its place), random individuals of age 0 join.
   /// @throw std::logic_error unless the generation has been selected.
   void breed();
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "devo_evo/experiment/settings.h"
+#include "devo_evo/experiment/study_settings.h"
 
 #include <cstdint>
 #include <functional>
@@ -10,11 +11,13 @@
 
 namespace devo_evo
 {
-/// Every setting of the programs: the experiment and how the farm runs it. One name each in YAML, launch files and the
-/// command-line tool.
+/// Every setting of the programs: the experiment, how the farm runs it, and what a study makes of it. One name each in
+/// YAML, launch files and the command-line tool.
 struct Parameters
 {
   ExperimentSettings experiment;  ///< output: "" until somebody asks for defaultOutput()
+
+  StudySettings study;
 
   int simulators = 0;                    ///< simulator nodes, or threads of the tool; 0: one a core [1]
   std::string instruction_set = "auto";  ///< "auto", "scalar", "avx2" or "avx512"
@@ -30,10 +33,10 @@ using ParameterValue = std::variant<bool, int64_t, double, std::string, std::vec
 struct ParameterSpec
 {
   std::string name;
-  std::string group;         ///< "experiment", "evolution", "body", "physics", "farm" or "nodes"
+  std::string group;         ///< "experiment", "evolution", "body", "physics", "farm", "nodes" or "study"
   std::string unit;          ///< "" if it has none
   std::string description;   ///< one sentence, with the symbol in docs/physics.md where it has one
-  std::string allowed;       ///< completes "it must be": "a whole number within 1 to 64", "evo or evo_devo"
+  std::string allowed;       ///< completes "it must be": "a whole number within 1 to 64", "true or false"
   std::string default_text;  ///< as one would write it
 
   /// Checks and sets. @throw InvalidInput naming parameter, value and what is allowed.

@@ -31,7 +31,8 @@ struct SoftBodySettings
   double poissons_ratio = 0.35;      ///< nu [1]
   double static_friction = 1.0;      ///< mu_s, voxel against floor [1]
   double dynamic_friction = 0.5;     ///< mu_d, voxel against floor [1]
-  double gravity = 9.81;             ///< g, along -z [m/s^2]
+  double gravity = 9.81;             ///< g [m/s^2]; along -z on level ground
+  double slope = 0.0;                ///< rise over run of the floor along +y [1]; positive: uphill
   double bond_damping = 1.0;         ///< zeta_b, ratio of critical damping [1]
   double contact_damping = 0.8;      ///< zeta_c, of floor contacts [1]
   double global_damping = 0.01;      ///< zeta_g, of every voxel's motion [1]
