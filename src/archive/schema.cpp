@@ -169,6 +169,12 @@ Connection connectForWriting(const std::string& path, int64_t maximum_size, cons
   return connection;
 }
 
+void leaveOneFile(Connection& connection)
+{
+  connection.database().tryExec("PRAGMA busy_timeout = 1000; PRAGMA journal_mode = DELETE");
+  connection.database().tryExec("PRAGMA wal_checkpoint(TRUNCATE)");
+}
+
 Connection connectForReading(const std::string& path)
 {
   std::error_code error;

@@ -23,6 +23,10 @@ const FileKind& experimentFile();
 /// @throw ArchiveError as checkSchema(), but takes an empty file.
 Connection connectForWriting(const std::string& path, int64_t maximum_size, const FileKind& kind = experimentFile());
 
+/// At the end of writing: leaves one plain file, which anything can read anywhere; with somebody reading, at least its
+/// log is empty.
+void leaveOneFile(Connection& connection);
+
 /// Opens an existing file for reading. @throw ArchiveError if there is none.
 Connection connectForReading(const std::string& path);
 

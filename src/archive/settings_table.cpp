@@ -52,6 +52,14 @@ ExperimentSettings readSettings(Connection& connection)
   return parameters.experiment;
 }
 
+void writeParameter(Connection& connection, const ParameterSpec& spec, const Parameters& parameters)
+{
+  connection
+      .query("INSERT OR REPLACE INTO parameters (name, value, unit) VALUES (?, ?, ?)", spec.name, spec.get(parameters),
+             spec.unit)
+      .run();
+}
+
 void writeSettings(Connection& connection, const ExperimentSettings& settings)
 {
   const Parameters parameters = parametersOf(settings);
@@ -59,10 +67,7 @@ void writeSettings(Connection& connection, const ExperimentSettings& settings)
   {
     if (isArchived(spec))
     {
-      connection
-          .query("INSERT OR REPLACE INTO parameters (name, value, unit) VALUES (?, ?, ?)", spec.name,
-                 spec.get(parameters), spec.unit)
-          .run();
+      writeParameter(connection, spec, parameters);
     }
   }
 }

@@ -1,11 +1,15 @@
 #pragma once
 
 #include "archive/connection.h"
+#include "devo_evo/experiment/parameters.h"
 
 namespace devo_evo
 {
 /// What the archive says the experiment is; output stays empty. @throw DamagedArchive if a value cannot be used.
 ExperimentSettings readSettings(Connection& connection);
+
+/// Writes one parameter into table `parameters`.
+void writeParameter(Connection& connection, const ParameterSpec& spec, const Parameters& parameters);
 
 /// Writes all parameters that decide the results, and how far the experiment goes.
 void writeSettings(Connection& connection, const ExperimentSettings& settings);

@@ -4,6 +4,7 @@
 #include "archive/generation_table.h"
 #include "archive/genome_table.h"
 #include "archive/individual_table.h"
+#include "archive/schema.h"
 #include "archive/settings_table.h"
 
 namespace devo_evo
@@ -23,10 +24,7 @@ SqliteArchive::~SqliteArchive()
 {
   if (lock_)
   {
-    // A finished experiment is one plain file, which anything can read anywhere; with somebody reading, at least its
-    // log is empty.
-    connection_.database().tryExec("PRAGMA busy_timeout = 1000; PRAGMA journal_mode = DELETE");
-    connection_.database().tryExec("PRAGMA wal_checkpoint(TRUNCATE)");
+    leaveOneFile(connection_);
   }
 }
 

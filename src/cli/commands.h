@@ -21,5 +21,6 @@ using Command = std::function<int()>;
 void addEvaluateCommand(CLI::App& tool, Command& command);
 void addEvolveCommand(CLI::App& tool, Command& command);
 void addDigestCommand(CLI::App& tool, Command& command);
+void addStudyCommand(CLI::App& tool, Command& command);
 void addParametersCommand(CLI::App& tool, Command& command);
 }  // namespace devo_evo

@@ -8,7 +8,6 @@
 #include "devo_evo/experiment/report_text.h"
 #include "devo_evo/farm/local_farm.h"
 
-#include <filesystem>
 #include <iostream>
 #include <string>
 
@@ -46,21 +45,10 @@ private:
   Experiment* experiment_ = nullptr;
 };
 
-/// The folder for results as an absolute path, from whatever the parameter says.
-std::string absoluteOutput(const ExperimentSettings& settings)
-{
-  if (settings.output.empty())
-  {
-    return defaultOutput(settings);
-  }
-  const auto path = std::filesystem::absolute(settings.output).lexically_normal();
-  return (path.has_filename() ? path : path.parent_path()).string();  // without a slash at the end
-}
-
 int evolve(const Parameters& parameters)
 {
   ExperimentSettings settings = parameters.experiment;
-  settings.output = absoluteOutput(settings);
+  settings.output = settings.output.empty() ? defaultOutput(settings) : absoluteFolder(settings.output);
   settings.validate();
   const InstructionSet instruction_set = parseInstructionSet(parameters.instruction_set);
   const auto archive = openArchiveForWriting(settings, localProvenance(toString(instruction_set)));

@@ -66,6 +66,7 @@ int run(int argc, char** argv)
   addEvaluateCommand(tool, command);
   addEvolveCommand(tool, command);
   addDigestCommand(tool, command);
+  addStudyCommand(tool, command);
   addParametersCommand(tool, command);
   try
   {

@@ -1,7 +1,9 @@
 #include "cli/parameter_options.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <thread>
+#include <utility>
 
 namespace devo_evo
 {
@@ -24,9 +26,9 @@ ParameterOptions::ParameterOptions(CLI::App& app, const std::vector<std::string>
   }
 }
 
-Parameters ParameterOptions::read() const
+Parameters ParameterOptions::read(Parameters defaults) const
 {
-  Parameters parameters;
+  Parameters parameters = std::move(defaults);
   if (!given_->config.empty())
   {
     loadParameters(parameters, given_->config);
@@ -39,6 +41,12 @@ Parameters ParameterOptions::read() const
     }
   }
   return parameters;
+}
+
+std::string absoluteFolder(const std::string& folder)
+{
+  const auto path = std::filesystem::absolute(folder).lexically_normal();
+  return (path.has_filename() ? path : path.parent_path()).string();  // without a slash at the end
 }
 
 int threadCount(const Parameters& parameters)

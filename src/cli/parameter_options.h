@@ -18,7 +18,10 @@ public:
   ParameterOptions(CLI::App& app, const std::vector<std::string>& groups);
 
   /// The defaults, changed by the file and then by the options. @throw InvalidInput
-  Parameters read() const;
+  Parameters read() const { return read(Parameters()); }
+
+  /// The same with other defaults.
+  Parameters read(Parameters defaults) const;
 
 private:
   struct Given
@@ -30,6 +33,9 @@ private:
 
   std::shared_ptr<Given> given_ = std::make_shared<Given>();  // CLI11 keeps references to what it sets
 };
+
+/// A folder as an absolute path, from one relative to the working folder.
+std::string absoluteFolder(const std::string& folder);
 
 /// The number of threads that the parameter `simulators` asks for: 0 means one a core.
 int threadCount(const Parameters& parameters);

@@ -18,7 +18,7 @@ TEST(Tool, TellsItsVersion)
 TEST(Tool, HelpsWithEveryCommand)
 {
   EXPECT_NE(runTool({ "--help" }).out.find("evaluate"), std::string::npos);
-  for (const std::string command : { "evaluate", "evolve", "digest", "parameters" })
+  for (const std::string command : { "evaluate", "evolve", "digest", "study", "parameters" })
   {
     const ToolResult result = runTool({ command, "--help" });
     EXPECT_EQ(result.status, 0) << command;
@@ -27,12 +27,17 @@ TEST(Tool, HelpsWithEveryCommand)
   }
 }
 
-TEST(Tool, OffersEveryParameterOfAnExperiment)
+TEST(Tool, OffersEveryParameterOfAnExperimentAndOfAStudy)
 {
-  const std::string help = runTool({ "evolve", "--help" }).out;
+  const std::string evolve = runTool({ "evolve", "--help" }).out, study = runTool({ "study", "--help" }).out;
   for (const ParameterSpec& spec : parameterSpecs())
   {
-    EXPECT_EQ(help.find("--" + spec.name) == std::string::npos, spec.group == "nodes") << spec.name;
+    const std::string option = "--" + spec.name + " ";
+    const bool threads = spec.name == "simulators";
+    EXPECT_EQ(evolve.find(threads ? "--threads" : option) != std::string::npos,
+              spec.group != "nodes" && spec.group != "study")
+        << spec.name;
+    EXPECT_EQ(study.find(threads ? "--threads" : option) != std::string::npos, spec.group != "nodes") << spec.name;
   }
 }
 
@@ -61,8 +66,9 @@ TEST(Tool, RefusesWrongUsageWithStatusTwo)
 
 TEST(Tool, NamesTheCommandOrParameterProbablyMeant)
 {
-  EXPECT_EQ(runTool({ "dance" }).err,
-            "devo_evo: error: there is no command \"dance\"; the commands are evaluate, evolve, digest, parameters\n");
+  EXPECT_EQ(
+      runTool({ "dance" }).err,
+      "devo_evo: error: there is no command \"dance\"; the commands are evaluate, evolve, digest, study, parameters\n");
   EXPECT_EQ(runTool({ "evolve", "--lifetme", "3" }).err,
             "devo_evo: error: --lifetme: there is no parameter \"lifetme\"; the closest is lifetime\n");
 }

@@ -16,7 +16,8 @@ LAYERS = {
     "archive": {"soft_body", "evolution", "experiment"},
     "experiment": {"soft_body", "evolution", "farm", "archive"},
     "render": {"soft_body", "evolution", "archive", "experiment"},
-    "cli": {"soft_body", "evolution", "farm", "archive", "experiment", "render"},
+    "study": {"soft_body", "evolution", "farm", "archive", "experiment"},
+    "cli": {"soft_body", "evolution", "farm", "archive", "experiment", "study", "render"},
 }
 ROS_HEADER = re.compile(r"^(ros|roscpp|rosbag|tf2|tf2_ros|\w+_msgs|std_srvs|diagnostic_updater)/"
                         r"|^devo_evo/[A-Z]\w*\.h$")

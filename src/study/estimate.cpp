@@ -1,0 +1,41 @@
+#include "devo_evo/study/study.h"
+
+#include "devo_evo/experiment/report_text.h"
+#include "devo_evo/soft_body/text.h"
+#include "study/speed.h"
+#include "study/workload.h"
+
+namespace devo_evo
+{
+namespace
+{
+std::string padded(const std::string& text, size_t width, bool right)
+{
+  const std::string spaces(width > text.size() ? width - text.size() : 0, ' ');
+  return right ? spaces + text : text + spaces;
+}
+
+std::string row(const std::string& part, const std::string& evaluations, const std::string& left,
+                const std::string& time)
+{
+  return padded(part, 12, false) + padded(evaluations, 13, true) + padded(left, 13, true) + "   " + time + "\n";
+}
+}  // namespace
+
+std::string estimateText(const Parameters& parameters, int threads, InstructionSet instruction_set)
+{
+  validateStudy(parameters);
+  const double rate = evaluationsPerSecond(parameters.experiment.body, threads, instruction_set);
+  const auto timeOf = [rate](int64_t evaluations) { return durationText(static_cast<double>(evaluations) / rate); };
+  std::string text = row("part", "evaluations", "left", "time");
+  Workload sum = {};
+  for (const Workload& load : workloads(parameters))
+  {
+    text += row(toString(load.part), toText(load.evaluations), toText(load.left), timeOf(load.left));
+    sum.evaluations += load.evaluations;
+    sum.left += load.left;
+  }
+  return text + row("all", toText(sum.evaluations), toText(sum.left), timeOf(sum.left)) + "at " + fixedText(rate, 1) +
+         " evaluations/s, measured on this machine with " + toText(threads) + (threads == 1 ? " worker" : " workers");
+}
+}  // namespace devo_evo
