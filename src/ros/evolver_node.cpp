@@ -17,8 +17,6 @@ namespace devo_evo
 namespace
 {
 constexpr std::chrono::seconds DIAGNOSTICS_PERIOD{ 1 };
-constexpr std::chrono::seconds FIRST_WARNING{ 5 };      // after how long without a simulator
-constexpr std::chrono::seconds LONGEST_WARNING{ 300 };  // between warnings, which become rarer
 constexpr std::chrono::seconds SHORTEST_PROGRESS{ 1 };  // between lines on progress, which become rarer
 constexpr std::chrono::seconds LONGEST_PROGRESS{ 60 };
 constexpr double LAST_MESSAGES = 0.3;  // for how long subscribers can still be sent what was published last [s]
@@ -69,6 +67,7 @@ EvolverNode::EvolverNode(const Parameters& parameters, const ExperimentSettings&
   , farm_(node_, farmSettings(parameters, settings_.body, fingerprint))
   , experiment_(settings_, *archive_, farm_, *this)
   , archive_services_(node_, settings_.output)
+  , idle_warning_(node_.resolveName("simulators"))
   , callbacks_(2)
 {
   generation_ = node_.advertise<GenerationSummary>("generation", 100);
@@ -106,7 +105,7 @@ RunOutcome EvolverNode::run()
 {
   const ScopedInterruption interruption;
   say("evolving in " + settings_.output + (status_.generations_committed > 0 ? ", resumed" : ""));
-  warnIfNobodyWorks(true);
+  idle_warning_.update(true);
   started_ = Clock::now();
   callbacks_.start();
   const RunOutcome outcome = experiment_.run();
@@ -178,25 +177,7 @@ void EvolverNode::publishDiagnostics()
   const std::vector<WorkerStatus> workers = farm_.status();
   status_.paused = experiment_.paused();
   diagnostics_.publish(diagnosticsOf(ros::this_node::getName(), status_, workers));
-  warnIfNobodyWorks(usableWorkers(workers) > 0);
-}
-
-void EvolverNode::warnIfNobodyWorks(bool somebody_does)
-{
-  const Clock::time_point now = Clock::now();
-  if (somebody_does || status_.paused)
-  {
-    last_usable_ = now;
-    next_warning_ = FIRST_WARNING;
-  }
-  else if (now - last_usable_ >= next_warning_)
-  {
-    ROS_WARN_STREAM("waiting: no simulator has announced itself on " << node_.resolveName("simulators")
-                                                                     << "; start some with: roslaunch devo_evo "
-                                                                        "simulators.launch");
-    next_warning_ = std::min(2 * next_warning_, LONGEST_WARNING);
-    last_usable_ = now;
-  }
+  idle_warning_.update(status_.paused || usableWorkers(workers) > 0);
 }
 
 bool EvolverNode::pause(std_srvs::Trigger::Request& /*request*/, std_srvs::Trigger::Response& response)

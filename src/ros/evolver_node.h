@@ -5,6 +5,7 @@
 #include "devo_evo/experiment/parameters.h"
 #include "ros/archive_services.h"
 #include "ros/diagnostics.h"
+#include "ros/idle_warning.h"
 #include "ros/ros_farm.h"
 
 #include <devo_evo/EvolvedRobot.h>
@@ -49,7 +50,6 @@ private:
   void publishChampion(const EvolvedRobot& champion);
   void showProgress(const GenerationReport& report);
   void publishDiagnostics();
-  void warnIfNobodyWorks(bool somebody_does);
 
   bool pause(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
   bool resume(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
@@ -67,8 +67,7 @@ private:
   Clock::time_point started_;
   Clock::time_point next_progress_;
   Clock::time_point diagnosed_;
-  Clock::time_point last_usable_;
-  std::chrono::seconds next_warning_{};
+  IdleWarning idle_warning_;
 
   ros::Publisher generation_;
   ros::Publisher champion_;

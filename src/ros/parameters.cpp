@@ -60,9 +60,9 @@ std::string configFile(XmlRpcValue& value, const std::string& source)
 }
 }  // namespace
 
-Parameters parametersFrom(const XmlRpc::XmlRpcValue& value, const std::string& source)
+Parameters parametersFrom(const XmlRpc::XmlRpcValue& value, const std::string& source, const Parameters& defaults)
 {
-  Parameters parameters;
+  Parameters parameters = defaults;
   XmlRpcValue entries = value;
   if (entries.hasMember(CONFIG))
   {
@@ -87,7 +87,7 @@ Parameters parametersFrom(const XmlRpc::XmlRpcValue& value, const std::string& s
   return parameters;
 }
 
-Parameters readParameters(const std::string& name_space)
+Parameters readParameters(const std::string& name_space, const Parameters& defaults)
 {
   XmlRpc::XmlRpcValue group;
   if (!ros::param::get(name_space, group))
@@ -96,8 +96,8 @@ Parameters readParameters(const std::string& name_space)
     {
       throw std::runtime_error("cannot read parameters: no ROS master answers at " + ros::master::getURI());
     }
-    return Parameters();
+    return defaults;
   }
-  return parametersFrom(group, "parameters of " + name_space);
+  return parametersFrom(group, "parameters of " + name_space, defaults);
 }
 }  // namespace devo_evo

@@ -15,8 +15,10 @@ namespace devo_evo
 /// @throw InvalidInput naming key, value and what is allowed, for an unknown key, a wrong type or a value out of range,
 /// with
 ///        line if in the file. std::runtime_error if there is no master.
-Parameters readParameters(const std::string& name_space);
+/// @param defaults of what is given neither there nor in the file.
+Parameters readParameters(const std::string& name_space, const Parameters& defaults = Parameters());
 
 /// The same from a value that was read already: a struct of parameters. @param source for messages.
-Parameters parametersFrom(const XmlRpc::XmlRpcValue& value, const std::string& source);
+Parameters parametersFrom(const XmlRpc::XmlRpcValue& value, const std::string& source,
+                          const Parameters& defaults = Parameters());
 }  // namespace devo_evo

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "devo_evo/study/study.h"
+#include "ros/idle_warning.h"
+
+#include <ros/node_handle.h>
+#include <ros/spinner.h>
+
+#include <chrono>
+#include <functional>
+
+namespace devo_evo
+{
+/// Runs a study (docs/study.md) on simulators that announce themselves on topic `simulators`.
+class StudyNode : private StudyObserver
+{
+public:
+  /// @throw InvalidInput
+  explicit StudyNode(const Parameters& parameters);
+
+  /// Runs until the study is finished, or interrupted by a signal or by ROS.
+  /// @throw ArchiveError if results cannot be kept; InvalidInput.
+  RunOutcome run();
+
+  /// Whether no thread hangs in the network's code: SimulatorFarm::close().
+  bool clean() const { return clean_; }
+
+private:
+  using Clock = std::chrono::steady_clock;
+
+  void say(const std::string& line) override;
+  void showProgress(const std::string& line) override;
+  bool stopRequested() override;
+
+  std::unique_ptr<Farm> makeFarm(const SoftBodySettings& body, uint64_t fingerprint);
+
+  Parameters parameters_;
+  ros::NodeHandle node_;
+  ros::AsyncSpinner callbacks_;
+  IdleWarning idle_warning_;
+  std::function<bool()> somebody_works_;  // asks the present farm; empty between two
+  bool clean_ = true;
+  Clock::time_point started_ = Clock::now();
+  Clock::time_point next_progress_ = started_;
+  Clock::time_point next_look_ = started_;
+};
+}  // namespace devo_evo
