@@ -11,6 +11,7 @@ INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.MULTILINE)
 # What each layer may include of ours, besides itself; outermost last.
 LAYERS = {
     "soft_body": set(),
+    "rigid_body": {"soft_body"},
     "evolution": {"soft_body"},
     "farm": {"soft_body"},
     "archive": {"soft_body", "evolution", "experiment"},

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+namespace devo_evo
+{
+constexpr size_t LEG_COUNT = 4;        ///< front left, front right, hind left, hind right; front is +y, right is +x
+constexpr size_t GENERATOR_COUNT = 2;  ///< central pattern generators
+constexpr size_t SYNAPSE_COUNT = LEG_COUNT * GENERATOR_COUNT;
+
+/// What a quadruped's genome says about its legs and its neural network: values at birth and at the end of life,
+/// between which they change linearly (paper, Supplementary Methods). Without development the final arrays equal the
+/// initial ones.
+struct QuadrupedProgram
+{
+  std::array<double, LEG_COUNT> leg_length_initial = {};  ///< [1, 0 to 1]; 0: the leg is drawn in, 1: it is out
+  std::array<double, LEG_COUNT> leg_length_final = {};    ///< like leg_length_initial
+
+  /// Weight of the synapse from generator g to the motor neuron of leg l, at GENERATOR_COUNT * l + g [1, -1 to 1].
+  std::array<double, SYNAPSE_COUNT> weight_initial = {};
+  std::array<double, SYNAPSE_COUNT> weight_final = {};  ///< like weight_initial
+};
+
+/// @throw InvalidInput naming array, index, value and what is allowed.
+void validate(const QuadrupedProgram& program);
+
+/// Developmental windows [1, 0 to 1]: mean over the array of how far each value moves, as a share of its range.
+double morphologyWindow(const QuadrupedProgram& program);  ///< W_L
+double controlWindow(const QuadrupedProgram& program);     ///< W_Phi
+}  // namespace devo_evo

@@ -1,0 +1,55 @@
+#include "devo_evo/rigid_body/quadruped_program.h"
+
+#include "devo_evo/soft_body/developmental_program.h"
+#include "devo_evo/soft_body/text.h"
+
+#include <cmath>
+#include <string>
+
+namespace devo_evo
+{
+namespace
+{
+template <size_t N>
+void checkArray(const char* name, const std::array<double, N>& values, double minimum, double maximum)
+{
+  for (size_t i = 0; i < N; ++i)
+  {
+    if (!(values[i] >= minimum - GENE_TOLERANCE && values[i] <= maximum + GENE_TOLERANCE))
+    {
+      throw InvalidInput(std::string(name) + "[" + toText(static_cast<int64_t>(i)) + "] is " + toText(values[i]) +
+                         "; it must lie within " + toText(minimum) + " to " + toText(maximum));
+    }
+  }
+}
+
+template <size_t N>
+double window(const std::array<double, N>& initial, const std::array<double, N>& final, double range)
+{
+  double sum = 0.0;
+  for (size_t i = 0; i < N; ++i)
+  {
+    sum += std::abs(final[i] - initial[i]);
+  }
+  return sum / (range * N);
+}
+}  // namespace
+
+void validate(const QuadrupedProgram& program)
+{
+  checkArray("leg_length_initial", program.leg_length_initial, 0.0, 1.0);
+  checkArray("leg_length_final", program.leg_length_final, 0.0, 1.0);
+  checkArray("weight_initial", program.weight_initial, -1.0, 1.0);
+  checkArray("weight_final", program.weight_final, -1.0, 1.0);
+}
+
+double morphologyWindow(const QuadrupedProgram& program)
+{
+  return window(program.leg_length_initial, program.leg_length_final, 1.0);
+}
+
+double controlWindow(const QuadrupedProgram& program)
+{
+  return window(program.weight_initial, program.weight_final, 2.0);
+}
+}  // namespace devo_evo
