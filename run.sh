@@ -26,6 +26,7 @@ Arguments and their defaults:
     lifetime:=10                   seconds from birth to the end
     grid:=4x4x3                    voxels along x, y and z
     simulators:=0                  simulators on this machine; 0: one a core
+    founders:=                     file of robots that every trial starts with
     output:=                       folder of the results; without one,
                                    ~/devo_evo/<treatment>-...-seed-<seed>
     config:=                       YAML file with any parameter; these arguments
@@ -65,7 +66,7 @@ read_arguments()
     [[ $given != *" $name "* ]] || fail "'$name' is given twice"
     given+="$name "
     case "$argument" in
-      output:=[!/]* | config:=[!/]*) argument="$name:=$PWD/${argument#*:=}" ;;
+      output:=[!/]* | config:=[!/]* | founders:=[!/]*) argument="$name:=$PWD/${argument#*:=}" ;;
     esac
     arguments+=("$argument")
   done

@@ -4,6 +4,7 @@
 #include "archive/schema.h"
 #include "archive/settings_table.h"
 #include "archive/sqlite_archive.h"
+#include "archive/start_table.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -26,7 +27,9 @@ ExperimentSettings extendedByCommitted(Connection& connection, ExperimentSetting
 void begin(Connection& connection, const ExperimentSettings& settings, const Provenance& provenance)
 {
   SQLite::Transaction transaction(connection.database(), SQLite::TransactionBehavior::IMMEDIATE);
-  if (!createSchema(connection))
+  const bool is_new = createSchema(connection);
+  addLaterTables(connection);
+  if (!is_new)
   {
     checkResumable(connection, settings);
   }

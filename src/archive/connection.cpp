@@ -72,6 +72,11 @@ std::string Query::text()
   return column(SQLITE_TEXT, "text").getString();
 }
 
+std::optional<std::string> Query::optionalText()
+{
+  return skipNull() ? std::nullopt : std::optional<std::string>(text());
+}
+
 Blob Query::bytes(const SQLite::Column& column, size_t size) const
 {
   const auto* data = static_cast<const uint8_t*>(column.getBlob());
@@ -159,7 +164,7 @@ int Connection::look(void* work)
   return done.steps > stepsAllowed(sqlite3_db_filename(done.database, "main")) ? 1 : 0;
 }
 
-SQLite::Statement& Connection::prepared(const char* sql)
+SQLite::Statement& Connection::prepared(const std::string& sql)
 {
   const auto found = statements_.find(sql);
   return found != statements_.end() ? found->second

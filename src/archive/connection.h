@@ -50,6 +50,7 @@ public:
   double real();                             ///< NULL: NaN
   std::optional<double> optionalReal();      ///< NULL: none
   std::string text();
+  std::optional<std::string> optionalText();      ///< NULL: none
   Blob blob(size_t size);                         ///< @throw DamagedArchive also if it has another size
   std::optional<Blob> optionalBlob(size_t size);  ///< NULL: none
   Hash128 hash();
@@ -98,7 +99,7 @@ public:
 
   /// Starts a query; the statement is prepared once. @pre no other query of the same text is in use.
   template <class... Values>
-  Query query(const char* sql, const Values&... values)
+  Query query(const std::string& sql, const Values&... values)
   {
     return Query(prepared(sql), values...);
   }
@@ -114,7 +115,7 @@ private:
   /// Called by SQLite every now and then. @return whether to stop, 0 or 1.
   static int look(void* work);
 
-  SQLite::Statement& prepared(const char* sql);
+  SQLite::Statement& prepared(const std::string& sql);
 
   std::unique_ptr<Work> work_;
   SQLite::Database database_;

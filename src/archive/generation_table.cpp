@@ -115,6 +115,40 @@ std::optional<int64_t> findLastChampion(Connection& connection, int64_t trial)
       connection.query("SELECT champion FROM generations WHERE trial = ? ORDER BY generation DESC LIMIT 1", trial));
 }
 
+std::optional<TrialExtent> findExtent(Connection& connection, int64_t trial)
+{
+  const auto last = findLastGeneration(connection, trial);
+  if (!last)
+  {
+    return std::nullopt;
+  }
+  TrialExtent extent;
+  extent.last_generation = *last;
+  extent.individuals =
+      optionalNatural(connection.query("SELECT count(*) FROM individuals WHERE trial = ?", trial)).value_or(0);
+  extent.survivors =
+      optionalNatural(connection.query("SELECT count(*) FROM survivors WHERE trial = ?", trial)).value_or(0);
+  extent.next_id = findNextId(connection, trial);
+  return extent;
+}
+
+std::optional<ArchivedSelection> findSelection(Connection& connection, int64_t trial, int64_t generation)
+{
+  Query query = connection.query(
+      "SELECT champion, best_fitness, median_fitness FROM generations WHERE trial = ? AND generation = ?", trial,
+      generation);
+  if (!query.next())
+  {
+    return std::nullopt;
+  }
+  ArchivedSelection selection;
+  selection.champion = query.natural();
+  selection.best_fitness = query.real();
+  selection.median_fitness = query.real();
+  selection.survivors = findSurvivors(connection, trial, generation);
+  return selection;
+}
+
 std::vector<int64_t> findSurvivors(Connection& connection, int64_t trial, int64_t generation)
 {
   return naturals(

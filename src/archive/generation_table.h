@@ -19,6 +19,12 @@ std::vector<int64_t> findTrials(Connection& connection);
 std::optional<int64_t> findLastGeneration(Connection& connection, int64_t trial);
 std::optional<int64_t> findLastChampion(Connection& connection, int64_t trial);
 
+/// None if the trial has no generation.
+std::optional<TrialExtent> findExtent(Connection& connection, int64_t trial);
+
+/// None if there is no such generation.
+std::optional<ArchivedSelection> findSelection(Connection& connection, int64_t trial, int64_t generation);
+
 /// Ids in ranking order; empty if there is no such generation.
 std::vector<int64_t> findSurvivors(Connection& connection, int64_t trial, int64_t generation);
 }  // namespace devo_evo

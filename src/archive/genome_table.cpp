@@ -19,7 +19,7 @@ std::optional<Blob> unlessEqual(const std::vector<double>& final_values, const B
 /// What a lineage knows of one individual before genomes are made again.
 struct Ancestor
 {
-  IndividualRow row;
+  ArchivedIndividual archived;  ///< without genome
   std::optional<Genome> stored;
 };
 
@@ -28,11 +28,11 @@ std::vector<Ancestor> collectAncestors(Connection& connection, int voxel_count, 
                                        bool all_ancestors)
 {
   std::vector<Ancestor> ancestors;
-  auto row = findIndividual(connection, trial, id);
+  std::optional<ArchivedIndividual> row = findIndividual(connection, trial, id);
   while (row)
   {
-    ancestors.push_back({ *row, findGenome(connection, trial, row->archived.individual.id, voxel_count) });
-    const int64_t parent = row->archived.individual.parent;
+    ancestors.push_back({ *row, findGenome(connection, trial, row->individual.id, voxel_count) });
+    const int64_t parent = row->individual.parent;
     if (parent == Individual::NO_PARENT || (ancestors.back().stored && !all_ancestors))
     {
       break;
@@ -57,7 +57,7 @@ void setGenome(ArchivedIndividual& archived, const Ancestor& ancestor, const Arc
     individual.genome = bornGenome(settings, lattice, individual.trial, individual.generation, individual.id,
                                    parent ? &parent->individual.genome : nullptr);
   }
-  archived.has_genome = genomeHash(individual.genome) == ancestor.row.genome_hash;
+  archived.has_genome = genomeHash(individual.genome) == archived.genome_hash;
   if (!archived.has_genome && ancestor.stored)
   {
     throw DamagedArchive("the genome of individual " + individualName(individual.trial, individual.id) +
@@ -83,34 +83,20 @@ void checkGenome(const Individual& individual, const ExperimentSettings& setting
 }
 }  // namespace
 
-void insertGenome(Connection& connection, const Individual& individual)
+GenomeBlobs::GenomeBlobs(const Genome& genome)
+  : size_gene_initial(numbersToBytes(genome.program.size_gene_initial))
+  , size_gene_final(unlessEqual(genome.program.size_gene_final, size_gene_initial))
+  , phase_initial(numbersToBytes(genome.program.phase_initial))
+  , phase_final(unlessEqual(genome.program.phase_final, phase_initial))
 {
-  const DevelopmentalProgram& program = individual.genome.program;
-  const Blob size_gene_initial = numbersToBytes(program.size_gene_initial);
-  const Blob phase_initial = numbersToBytes(program.phase_initial);
-  const auto& rates = individual.genome.mutation_rate;
-  connection
-      .query(
-          "INSERT INTO genomes (trial, id, parent, size_gene_initial, size_gene_final, phase_initial, phase_final, "
-          "mutation_rate) VALUES (?, ?, ?, ?, ?, ?, ?, ?)",
-          individual.trial, individual.id,
-          individual.parent == Individual::NO_PARENT ? std::nullopt : std::optional<int64_t>(individual.parent),
-          size_gene_initial, unlessEqual(program.size_gene_final, size_gene_initial), phase_initial,
-          unlessEqual(program.phase_final, phase_initial),
-          rates.empty() ? std::nullopt : std::optional<Blob>(numbersToBytes(rates)))
-      .run();
+  if (!genome.mutation_rate.empty())
+  {
+    mutation_rate = numbersToBytes(genome.mutation_rate);
+  }
 }
 
-std::optional<Genome> findGenome(Connection& connection, int64_t trial, int64_t id, int voxel_count)
+Genome readGenome(Query& query, int voxel_count)
 {
-  Query query = connection.query(
-      "SELECT size_gene_initial, size_gene_final, phase_initial, phase_final, mutation_rate "
-      "FROM genomes WHERE trial = ? AND id = ?",
-      trial, id);
-  if (!query.next())
-  {
-    return std::nullopt;
-  }
   const size_t size = sizeof(double) * static_cast<size_t>(voxel_count);
   Genome genome;
   DevelopmentalProgram& program = genome.program;
@@ -122,6 +108,28 @@ std::optional<Genome> findGenome(Connection& connection, int64_t trial, int64_t 
   program.phase_final = numbersFromBytes(query.optionalBlob(size).value_or(phase_initial));
   genome.mutation_rate = numbersFromBytes(query.optionalBlob(size).value_or(Blob()));
   return genome;
+}
+
+void insertGenome(Connection& connection, const Individual& individual)
+{
+  const GenomeBlobs blobs(individual.genome);
+  connection
+      .query(
+          "INSERT INTO genomes (trial, id, parent, size_gene_initial, size_gene_final, phase_initial, phase_final, "
+          "mutation_rate) VALUES (?, ?, ?, ?, ?, ?, ?, ?)",
+          individual.trial, individual.id,
+          individual.parent == Individual::NO_PARENT ? std::nullopt : std::optional<int64_t>(individual.parent),
+          blobs.size_gene_initial, blobs.size_gene_final, blobs.phase_initial, blobs.phase_final, blobs.mutation_rate)
+      .run();
+}
+
+std::optional<Genome> findGenome(Connection& connection, int64_t trial, int64_t id, int voxel_count)
+{
+  Query query = connection.query(
+      "SELECT size_gene_initial, size_gene_final, phase_initial, phase_final, mutation_rate "
+      "FROM genomes WHERE trial = ? AND id = ?",
+      trial, id);
+  return query.next() ? std::optional<Genome>(readGenome(query, voxel_count)) : std::nullopt;
 }
 
 void pruneGenomes(Connection& connection, int64_t trial, const std::vector<int64_t>& dead,
@@ -153,7 +161,7 @@ std::vector<ArchivedIndividual> readDescent(Connection& connection, const Experi
   for (const Ancestor& ancestor : ancestors)
   {
     const ArchivedIndividual* parent = descent.empty() ? nullptr : &descent.back();
-    ArchivedIndividual archived = ancestor.row.archived;
+    ArchivedIndividual archived = ancestor.archived;
     setGenome(archived, ancestor, parent, settings.evolution, lattice);
     if (ancestor.stored)
     {

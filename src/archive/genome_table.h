@@ -9,6 +9,22 @@
 
 namespace devo_evo
 {
+/// A genome's arrays as they are stored.
+struct GenomeBlobs
+{
+  explicit GenomeBlobs(const Genome& genome);
+
+  Blob size_gene_initial;
+  std::optional<Blob> size_gene_final;  ///< none: as size_gene_initial
+  Blob phase_initial;
+  std::optional<Blob> phase_final;    ///< none: as phase_initial
+  std::optional<Blob> mutation_rate;  ///< none: no part of the genome
+};
+
+/// The next five columns, in the order of GenomeBlobs.
+/// @throw DamagedArchive if an array does not fit a body of `voxel_count` voxels.
+Genome readGenome(Query& query, int voxel_count);
+
 void insertGenome(Connection& connection, const Individual& individual);
 
 /// @return none if it is not stored. @throw DamagedArchive if its arrays do not fit a body of `voxel_count` voxels.

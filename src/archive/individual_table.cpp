@@ -4,6 +4,31 @@
 
 namespace devo_evo
 {
+namespace
+{
+ArchivedIndividual readRow(Query& query, int64_t trial)
+{
+  ArchivedIndividual archived;
+  Individual& individual = archived.individual;
+  individual.trial = trial;
+  individual.id = query.natural();
+  individual.parent = query.optionalNatural().value_or(Individual::NO_PARENT);
+  individual.generation = query.natural();
+  individual.age = query.natural();
+  archived.morphology_window = query.real();
+  archived.control_window = query.real();
+  archived.phenotype_hash = query.hash();
+  archived.genome_hash = query.hash();
+  individual.evaluation = readEvaluation(query);
+  if (individual.parent >= individual.id || individual.age > individual.generation)
+  {
+    throw DamagedArchive("individual " + individualName(trial, individual.id) +
+                         " is older than its parent or its trial");
+  }
+  return archived;
+}
+}  // namespace
+
 void insertIndividual(Connection& connection, const Individual& individual, double phase_limit)
 {
   const DevelopmentalProgram& program = individual.genome.program;
@@ -22,35 +47,13 @@ void insertIndividual(Connection& connection, const Individual& individual, doub
   std::apply(insert, evaluationValues(individual.evaluation.value()));
 }
 
-std::optional<IndividualRow> findIndividual(Connection& connection, int64_t trial, int64_t id)
+std::optional<ArchivedIndividual> findIndividual(Connection& connection, int64_t trial, int64_t id)
 {
-  Query query = connection.query(
-      "SELECT parent, generation, age, morphology_window, control_window, genome_hash, " DEVO_EVO_EVALUATION_COLUMNS
-      " FROM individuals WHERE trial = ? AND id = ?",
-      trial, id);
-  if (!query.next())
-  {
-    return std::nullopt;
-  }
-  IndividualRow row;
-  Individual& individual = row.archived.individual;
-  individual.trial = trial;
-  individual.id = id;
-  individual.parent = query.optionalNatural().value_or(Individual::NO_PARENT);
-  individual.generation = query.natural();
-  individual.age = query.natural();
-  row.archived.morphology_window = query.real();
-  row.archived.control_window = query.real();
-  row.genome_hash = query.hash();
-  individual.evaluation = readEvaluation(query);
-  if (individual.parent >= id || individual.age > individual.generation)
-  {
-    throw DamagedArchive("individual " + individualName(trial, id) + " is older than its parent or its trial");
-  }
-  return row;
+  auto found = findIndividuals(connection, trial, id, 1);
+  return found.empty() ? std::nullopt : std::optional<ArchivedIndividual>(std::move(found.front()));
 }
 
-IndividualRow readIndividualRow(Connection& connection, int64_t trial, int64_t id)
+ArchivedIndividual readIndividualRow(Connection& connection, int64_t trial, int64_t id)
 {
   auto row = findIndividual(connection, trial, id);
   if (!row)
@@ -58,6 +61,21 @@ IndividualRow readIndividualRow(Connection& connection, int64_t trial, int64_t i
     throw DamagedArchive("individual " + individualName(trial, id) + " is missing");
   }
   return *std::move(row);
+}
+
+std::vector<ArchivedIndividual> findIndividuals(Connection& connection, int64_t trial, int64_t first_id, int64_t count)
+{
+  Query query = connection.query(
+      "SELECT id, parent, generation, age, morphology_window, control_window, phenotype_hash, "
+      "genome_hash, " DEVO_EVO_EVALUATION_COLUMNS
+      " FROM individuals WHERE trial = ? AND id BETWEEN ? AND ? ORDER BY id",
+      trial, first_id, first_id + count - 1);
+  std::vector<ArchivedIndividual> found;
+  while (query.next())
+  {
+    found.push_back(readRow(query, trial));
+  }
+  return found;
 }
 
 std::optional<Evaluation> findEvaluationOf(Connection& connection, const Hash128& phenotype_hash)

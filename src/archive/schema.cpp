@@ -28,7 +28,8 @@ CREATE TABLE starts (  -- each time that an evolver opened this archive: where r
   processor          TEXT NOT NULL,
   instruction_set    TEXT NOT NULL,
   host               TEXT NOT NULL,
-  engine_fingerprint BLOB                  -- 8 bytes; equal for engines that give equal results; NULL: not known
+  engine_fingerprint BLOB,                 -- 8 bytes; equal for engines that give equal results; NULL: not known
+  ros                TEXT NOT NULL DEFAULT ''  -- version of roscpp; '' for a program without ROS
 );
 )";
 
@@ -94,6 +95,24 @@ CREATE VIEW champions AS  -- the best robot of each generation, with its age in 
   SELECT g.trial, g.generation, g.champion AS id, i.age + g.generation - i.generation AS age, i.fitness,
          g.median_fitness, i.morphology_window, i.control_window
   FROM generations AS g JOIN individuals AS i ON i.trial = g.trial AND i.id = g.champion;
+)";
+
+// Tables that archives from before have not: made when one is opened for writing, taken as empty when one is read.
+const char* const LATER_TABLES = R"(
+CREATE TABLE IF NOT EXISTS stops (  -- when an evolver closed this archive; none for one that was killed
+  start       INTEGER PRIMARY KEY,  -- starts.number
+  time_utc    TEXT NOT NULL,        -- 2018-04-17T12:34:56Z
+  generations INTEGER NOT NULL      -- finished in all trials by then
+);
+
+CREATE TABLE IF NOT EXISTS founders (  -- genomes that every trial started with; arrays as in genomes
+  id                 INTEGER PRIMARY KEY,  -- in each trial; founders beyond are random
+  size_gene_initial  BLOB NOT NULL,
+  size_gene_final    BLOB,  -- NULL: as size_gene_initial
+  phase_initial      BLOB NOT NULL,
+  phase_final        BLOB,  -- NULL: as phase_initial
+  mutation_rate      BLOB   -- NULL: not part of the genome
+);
 )";
 
 int64_t pragma(Connection& connection, const std::string& name)
@@ -200,6 +219,25 @@ Connection connectForReading(const std::string& path)
   }
   distrustSchema(database);
   return Connection(std::move(database));
+}
+
+bool hasTable(Connection& connection, const std::string& table)
+{
+  return connection.query("SELECT 1 FROM sqlite_master WHERE type = 'table' AND name = ?", table).next();
+}
+
+bool hasColumn(Connection& connection, const std::string& table, const std::string& column)
+{
+  return connection.query("SELECT 1 FROM pragma_table_info(?) WHERE name = ?", table, column).next();
+}
+
+void addLaterTables(Connection& connection)
+{
+  connection.database().exec(LATER_TABLES);
+  if (!hasColumn(connection, "starts", "ros"))
+  {
+    connection.database().exec("ALTER TABLE starts ADD COLUMN ros TEXT NOT NULL DEFAULT ''");
+  }
 }
 
 bool createSchema(Connection& connection, const FileKind& kind)

@@ -33,6 +33,13 @@ Connection connectForReading(const std::string& path);
 /// Makes the tables in a new file. @return false if there are tables already.
 bool createSchema(Connection& connection, const FileKind& kind = experimentFile());
 
+/// Adds to an experiment's file what those from before have not.
+void addLaterTables(Connection& connection);
+
+/// Archives from before have neither all tables nor all columns.
+bool hasTable(Connection& connection, const std::string& table);
+bool hasColumn(Connection& connection, const std::string& table, const std::string& column);
+
 /// @throw ArchiveError if the file is empty, not ours, or of a newer version.
 void checkSchema(Connection& connection, const std::string& path, const FileKind& kind = experimentFile());
 }  // namespace devo_evo

@@ -1,6 +1,6 @@
 #include "archive/settings_table.h"
 
-#include "archive/bytes.h"
+#include "archive/founder_table.h"
 #include "devo_evo/experiment/parameters.h"
 #include "devo_evo/soft_body/text.h"
 
@@ -14,18 +14,24 @@ namespace
 /// How far the experiment goes; these may change when it is resumed.
 const std::set<std::string> EXTENT = { "trials", "generations" };
 
-/// Whether a parameter belongs to the experiment, not to the place or the machines it runs on.
-bool isArchived(const ParameterSpec& spec)
-{
-  static const std::set<std::string> groups = { "experiment", "evolution", "body", "physics" };
-  return groups.count(spec.group) != 0 && spec.name != "output";
-}
-
 Parameters parametersOf(const ExperimentSettings& settings)
 {
   Parameters parameters;
   parameters.experiment = settings;
   return parameters;
+}
+/// Empty if there is none.
+std::string differenceOfFounders(const EvolutionSettings& there, const EvolutionSettings& here)
+{
+  const auto count = [](const EvolutionSettings& settings)
+  { return settings.founders ? settings.founders->size() : 0; };
+  const auto describe = [](size_t founders)
+  { return founders == 0 ? "random" : toText(static_cast<int64_t>(founders)) + " given robots"; };
+  if (count(there) != count(here))
+  {
+    return "founders are " + describe(count(there)) + " there and " + describe(count(here)) + " here";
+  }
+  return count(there) == 0 || *there.founders == *here.founders ? "" : "founders are other robots there than here";
 }
 }  // namespace
 
@@ -49,6 +55,7 @@ ExperimentSettings readSettings(Connection& connection)
     throw DamagedArchive(error.what());
   }
   parameters.experiment.output.clear();
+  parameters.experiment.evolution.founders = readFounders(connection, parameters.experiment.body.voxelCount());
   return parameters.experiment;
 }
 
@@ -65,11 +72,12 @@ void writeSettings(Connection& connection, const ExperimentSettings& settings)
   const Parameters parameters = parametersOf(settings);
   for (const ParameterSpec& spec : parameterSpecs())
   {
-    if (isArchived(spec))
+    if (describesExperiment(spec))
     {
       writeParameter(connection, spec, parameters);
     }
   }
+  writeFounders(connection, settings.evolution);
 }
 
 void checkResumable(Connection& connection, const ExperimentSettings& wanted)
@@ -79,43 +87,21 @@ void checkResumable(Connection& connection, const ExperimentSettings& wanted)
   std::string differences;
   for (const ParameterSpec& spec : parameterSpecs())
   {
-    if (isArchived(spec) && EXTENT.count(spec.name) == 0 && spec.get(ours) != spec.get(archived))
+    if (describesExperiment(spec) && EXTENT.count(spec.name) == 0 && spec.get(ours) != spec.get(archived))
     {
       differences += (differences.empty() ? "" : ", ") + spec.name + " is " + spec.get(archived) + " there and " +
                      spec.get(ours) + " here";
     }
+  }
+  const std::string founders = differenceOfFounders(archived.experiment.evolution, ours.experiment.evolution);
+  if (!founders.empty())
+  {
+    differences += (differences.empty() ? "" : ", ") + founders;
   }
   if (!differences.empty())
   {
     throw ArchiveError("output folder " + wanted.output + " holds another experiment: " + differences +
                        "; choose another output, or give the same values to resume it");
   }
-}
-
-void recordStart(Connection& connection, const Provenance& provenance)
-{
-  std::optional<Blob> fingerprint;
-  if (provenance.engine_fingerprint != 0)
-  {
-    fingerprint = hashToBytes(provenance.engine_fingerprint);
-    Query query = connection.query(
-        "SELECT engine_fingerprint, version FROM starts "
-        "WHERE engine_fingerprint IS NOT NULL AND engine_fingerprint <> ? LIMIT 1",
-        fingerprint);
-    if (query.next())
-    {
-      const std::string theirs = hashToString(hashFromBytes(query.blob(sizeof(uint64_t))));
-      throw ArchiveError("the experiment was made by devo_evo " + query.text() + " with engine fingerprint " + theirs +
-                         "; this is " + provenance.version + " with " + hashToString(provenance.engine_fingerprint) +
-                         ", which would give other results: resume it with the version that made it");
-    }
-  }
-  connection
-      .query(
-          "INSERT INTO starts (time_utc, version, compiler, processor, instruction_set, host, engine_fingerprint) "
-          "VALUES (strftime('%Y-%m-%dT%H:%M:%SZ', 'now'), ?, ?, ?, ?, ?, ?)",
-          provenance.version, provenance.compiler, provenance.processor, provenance.instruction_set, provenance.host,
-          fingerprint)
-      .run();
 }
 }  // namespace devo_evo

@@ -17,8 +17,4 @@ void writeSettings(Connection& connection, const ExperimentSettings& settings);
 /// The resume rule. @throw ArchiveError naming each parameter in which `wanted` differs from what the archive says,
 /// unless it only tells how far the experiment goes.
 void checkResumable(Connection& connection, const ExperimentSettings& wanted);
-
-/// Notes that an evolver opened the archive.
-/// @throw ArchiveError if its engine gives other results than the one that made the archive.
-void recordStart(Connection& connection, const Provenance& provenance);
 }  // namespace devo_evo

@@ -1,11 +1,13 @@
 #include "archive/sqlite_archive.h"
 
+#include "archive/damage.h"
 #include "archive/digest.h"
 #include "archive/generation_table.h"
 #include "archive/genome_table.h"
 #include "archive/individual_table.h"
 #include "archive/schema.h"
 #include "archive/settings_table.h"
+#include "archive/start_table.h"
 
 namespace devo_evo
 {
@@ -24,6 +26,7 @@ SqliteArchive::~SqliteArchive()
 {
   if (lock_)
   {
+    noteStop();
     leaveOneFile(connection_);
   }
 }
@@ -78,6 +81,47 @@ std::vector<int64_t> SqliteArchive::trials() const
   return working([&] { return findTrials(connection_); });
 }
 
+TrialExtent SqliteArchive::extentOf(int64_t trial) const
+{
+  const auto extent = reading([&] { return findExtent(connection_, trial); });
+  if (!extent)
+  {
+    throw InvalidInput("archive " + path_ + " has no finished generation of trial " + std::to_string(trial));
+  }
+  return *extent;
+}
+
+std::vector<ArchivedIndividual> SqliteArchive::readIndividuals(int64_t trial, int64_t first_id, int64_t count) const
+{
+  const auto individuals_with_genomes = [&]
+  {
+    auto individuals = findIndividuals(connection_, trial, first_id, count);
+    for (ArchivedIndividual& archived : individuals)
+    {
+      auto genome = findGenome(connection_, trial, archived.individual.id, lattice_.voxelCount());
+      archived.has_genome = genome.has_value();
+      archived.individual.genome = std::move(genome).value_or(Genome());
+    }
+    return individuals;
+  };
+  return reading(individuals_with_genomes);
+}
+
+std::optional<ArchivedSelection> SqliteArchive::readSelection(int64_t trial, int64_t generation) const
+{
+  return reading([&] { return findSelection(connection_, trial, generation); });
+}
+
+std::vector<Start> SqliteArchive::starts() const
+{
+  return reading([&] { return readStarts(connection_); });
+}
+
+std::string SqliteArchive::findDamage() const
+{
+  return reading([&] { return findDamageOf(connection_); });
+}
+
 ExperimentSettings SqliteArchive::settings() const
 {
   ExperimentSettings settings = working([&] { return readSettings(connection_); });
@@ -101,6 +145,19 @@ void SqliteArchive::checkWritable() const
     // SQLite would go on writing to a file that nobody can find any more.
     throw ArchiveError("archive " + path_ + " was moved, deleted or replaced while it was written to; put it back " +
                        "where it was and start again");
+  }
+}
+
+/// Only for people who ask later: what cannot be noted (on a full disk, say) is not worth an error.
+void SqliteArchive::noteStop() noexcept
+{
+  try
+  {
+    connection_.beginWork();
+    recordStop(connection_);
+  }
+  catch (const std::exception&)
+  {
   }
 }
 

@@ -24,6 +24,11 @@ public:
   std::vector<ArchivedIndividual> readLineage(int64_t trial, int64_t id) const override;
   int64_t championOf(int64_t trial) const override;
   std::vector<int64_t> trials() const override;
+  TrialExtent extentOf(int64_t trial) const override;
+  std::vector<ArchivedIndividual> readIndividuals(int64_t trial, int64_t first_id, int64_t count) const override;
+  std::optional<ArchivedSelection> readSelection(int64_t trial, int64_t generation) const override;
+  std::vector<Start> starts() const override;
+  std::string findDamage() const override;
   ExperimentSettings settings() const override;
   std::string digest() const override;
 
@@ -49,6 +54,7 @@ private:
   }
 
   void checkWritable() const;
+  void noteStop() noexcept;
   void write(const GenerationRecord& record);
   TrialState stateOf(int64_t trial) const;
   Individual survivor(int64_t trial, int64_t id, int64_t generation) const;

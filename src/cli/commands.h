@@ -11,7 +11,8 @@ enum ExitStatus
 {
   EXIT_OK = 0,
   EXIT_WORK_FAILED = 1,
-  EXIT_BAD_INPUT = 2
+  EXIT_BAD_INPUT = 2,
+  EXIT_DIFFERENCE = 3  ///< the work is done, and the answer is no: something is not sound, two things differ
 };
 
 /// What the command line asks for: set by the subcommand that was chosen, run after parsing. @return the exit status.
@@ -22,5 +23,8 @@ void addEvaluateCommand(CLI::App& tool, Command& command);
 void addEvolveCommand(CLI::App& tool, Command& command);
 void addDigestCommand(CLI::App& tool, Command& command);
 void addStudyCommand(CLI::App& tool, Command& command);
+void addVerifyCommand(CLI::App& tool, Command& command);
+void addDiffCommand(CLI::App& tool, Command& command);
+void addInfoCommand(CLI::App& tool, Command& command);
 void addParametersCommand(CLI::App& tool, Command& command);
 }  // namespace devo_evo

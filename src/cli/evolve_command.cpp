@@ -8,6 +8,7 @@
 #include "devo_evo/experiment/report_text.h"
 #include "devo_evo/farm/local_farm.h"
 
+#include <filesystem>
 #include <iostream>
 #include <string>
 
@@ -49,6 +50,11 @@ int evolve(const Parameters& parameters)
 {
   ExperimentSettings settings = parameters.experiment;
   settings.output = settings.output.empty() ? defaultOutput(settings) : absoluteFolder(settings.output);
+  if (!settings.founders.empty())
+  {
+    settings.founders = std::filesystem::absolute(settings.founders).lexically_normal().string();
+  }
+  loadFounders(settings);
   settings.validate();
   const InstructionSet instruction_set = parseInstructionSet(parameters.instruction_set);
   const auto archive = openArchiveForWriting(settings, localProvenance(toString(instruction_set)));

@@ -61,12 +61,15 @@ int run(int argc, char** argv)
   tool.require_subcommand(1);
   tool.footer(
       "\"devo_evo COMMAND --help\" says more. Exit status: 0 done, 1 the work failed, 2 wrong usage or input,\n"
-      "128 + N ended by signal N. docs/tool.md describes commands and files.");
+      "3 not sound or different, 128 + N ended by signal N. docs/tool.md describes commands and files.");
   Command command;
   addEvaluateCommand(tool, command);
   addEvolveCommand(tool, command);
   addDigestCommand(tool, command);
   addStudyCommand(tool, command);
+  addVerifyCommand(tool, command);
+  addDiffCommand(tool, command);
+  addInfoCommand(tool, command);
   addParametersCommand(tool, command);
   try
   {

@@ -265,6 +265,10 @@ Genome mutateOneVoxel(const Genome& parent, const std::vector<TraitSpec>& traits
 Genome bornGenome(const EvolutionSettings& settings, const Lattice& lattice, int64_t trial, int64_t generation,
                   int64_t id, const Genome* parent)
 {
+  if (!parent && generation == 0 && settings.founders && id < static_cast<int64_t>(settings.founders->size()))
+  {
+    return settings.founders->at(static_cast<size_t>(id));
+  }
   const RandomPurpose purpose = parent ? RandomPurpose::MUTATION : RandomPurpose::FOUNDER_GENOME;
   RandomStream random(settings.seed, settings.arm(), trial, generation, id, purpose);
   return parent ? mutate(*parent, settings, lattice, random) : randomGenome(settings, lattice, random);

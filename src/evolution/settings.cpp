@@ -1,5 +1,6 @@
 #include "devo_evo/evolution/settings.h"
 
+#include "devo_evo/evolution/genome.h"
 #include "devo_evo/soft_body/text.h"
 #include "soft_body/check_ranges.h"
 
@@ -121,5 +122,10 @@ void EvolutionSettings::validate() const
     throw InvalidInput("seed is " + toText(seed) + "; it must lie within 0 to " + toText(INT64_MAX));
   }
   checkRanges(*this, evolutionReals());
+  if (founders && founders->size() > static_cast<size_t>(population))
+  {
+    throw InvalidInput("there are " + toText(static_cast<int64_t>(founders->size())) +
+                       " founders; the population must be at least as large, and is " + toText(population));
+  }
 }
 }  // namespace devo_evo

@@ -127,6 +127,26 @@ ParameterSpec outputSpec()
       [](const Parameters& parameters) { return parameters.experiment.output; });
 }
 
+ParameterSpec foundersSpec()
+{
+  const auto assign = [](Parameters& parameters, const ParameterValue& value)
+  {
+    const auto text = asText(value);
+    const bool allowed = text && text->find('~') != 0;  // nobody would expand it
+    if (allowed)
+    {
+      parameters.experiment.founders = *text;
+    }
+    return allowed;
+  };
+  return makeSpec(
+      { "founders", "experiment", "",
+        "File of robots (JSON lines, docs/tool.md) that every trial starts with; founders that it has too few of are "
+        "random. Empty: all are random. The robots are kept in the archive, and must be the same when it is resumed." },
+      "the path of a file, written out without ~", assign,
+      [](const Parameters& parameters) { return parameters.experiment.founders; });
+}
+
 ParameterSpec gridSpec()
 {
   const auto& fields = softBodyIntegers();
@@ -203,6 +223,7 @@ std::vector<ParameterSpec> experimentSpecs()
     experimentCount("trials", "Independent repetitions of the evolution, numbered from 1; they advance side by side."),
     experimentCount("generations", "Generations of each trial after generation 0, the founders."),
     seedSpec(),
+    foundersSpec(),
     outputSpec(),
   };
 }

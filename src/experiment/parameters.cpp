@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <set>
 
 namespace devo_evo
 {
@@ -28,6 +29,13 @@ size_t editDistance(const std::string& a, const std::string& b)
   return row.back();
 }
 }  // namespace
+
+bool describesExperiment(const ParameterSpec& spec)
+{
+  static const std::set<std::string> groups = { "experiment", "evolution", "body", "physics" };
+  static const std::set<std::string> places = { "founders", "output" };
+  return groups.count(spec.group) != 0 && places.count(spec.name) == 0;
+}
 
 const ParameterSpec& parameterSpec(const std::string& name)
 {

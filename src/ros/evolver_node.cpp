@@ -6,6 +6,7 @@
 #include "ros/conversions.h"
 #include "ros/node_main.h"
 
+#include <ros/common.h>
 #include <ros/console.h>
 #include <ros/init.h>
 #include <ros/this_node.h>
@@ -29,6 +30,7 @@ ExperimentSettings settingsOf(const Parameters& parameters)
   {
     settings.output = defaultOutput(settings);
   }
+  loadFounders(settings);
   settings.validate();
   return settings;
 }
@@ -37,6 +39,8 @@ Provenance provenanceOf(uint64_t fingerprint)
 {
   Provenance provenance = localProvenance(toString(bestInstructionSet()));
   provenance.engine_fingerprint = fingerprint;
+  provenance.ros = "roscpp " + std::to_string(ROS_VERSION_MAJOR) + "." + std::to_string(ROS_VERSION_MINOR) + "." +
+                   std::to_string(ROS_VERSION_PATCH);
   return provenance;
 }
 

@@ -4,6 +4,7 @@
 #include "archive/evaluation_columns.h"
 #include "archive/schema.h"
 #include "archive/settings_table.h"
+#include "archive/start_table.h"
 #include "study/study_tables.h"
 
 #include <nlohmann/json.hpp>

@@ -132,6 +132,7 @@ TEST(SettingAParameter, TakesTypedValuesAndText)
   EXPECT_EQ(after("profile", std::string("released_code")), "released_code");
   EXPECT_EQ(after("seed", std::string("9223372036854775807")), "9223372036854775807");
   EXPECT_EQ(after("output", std::string("/tmp/a b")), "/tmp/a b");
+  EXPECT_EQ(after("founders", std::string("/tmp/a b.jsonl")), "/tmp/a b.jsonl");
 }
 
 TEST(SettingAParameter, LosesNoDigits)
@@ -180,6 +181,7 @@ TEST(SettingAParameter, RefusesWrongTypesAndChangesNothing)
     { "self_collision", int64_t{ 1 } },
     { "self_collision", std::string("yes") },
     { "treatment", int64_t{ 1 } },
+    { "founders", std::string("~/robots.jsonl") },
     { "output", true },
     { "output", std::string("~/results") },
     { "grid", std::string("4x4") },

@@ -18,7 +18,8 @@ LAYERS = {
     "experiment": {"soft_body", "evolution", "farm", "archive"},
     "render": {"soft_body", "evolution", "archive", "experiment"},
     "study": {"soft_body", "evolution", "farm", "archive", "experiment"},
-    "cli": {"soft_body", "evolution", "farm", "archive", "experiment", "study", "render"},
+    "verification": {"soft_body", "evolution", "farm", "archive", "experiment"},
+    "cli": {"soft_body", "evolution", "farm", "archive", "experiment", "study", "render", "verification"},
 }
 ROS_HEADER = re.compile(r"^(ros|roscpp|rosbag|tf2|tf2_ros|\w+_msgs|std_srvs|diagnostic_updater)/"
                         r"|^devo_evo/[A-Z]\w*\.h$")

@@ -29,6 +29,17 @@ struct Provenance
   std::string instruction_set;
   std::string host;
   uint64_t engine_fingerprint = 0;  ///< engineFingerprint() of the kernel; 0: not known
+  std::string ros = "";             ///< version of roscpp; empty for a program without ROS
+};
+
+/// One stretch of work on an archive.
+struct Start
+{
+  int64_t number = 0;  ///< counts up from 1
+  std::string time_utc;
+  Provenance provenance;
+  std::optional<std::string> stop_utc;  ///< none: it still runs, or ended without a word (killed, power cut)
+  int64_t generations_at_stop = 0;      ///< finished in all trials by then; 0 if there is no stop_utc
 };
 
 /// Where to go on with a trial: the arguments of Trial's second constructor.
@@ -47,6 +58,26 @@ struct ArchivedIndividual
   bool has_genome = false;         ///< whether the genome was kept, or replaying mutations gave one of the right hash
   double morphology_window = 0.0;  ///< W_L
   double control_window = 0.0;     ///< W_Phi
+  Hash128 phenotype_hash = {};     ///< as noted at birth
+  Hash128 genome_hash = {};        ///< as noted at birth
+};
+
+/// What a finished generation left to the next.
+struct ArchivedSelection
+{
+  int64_t champion = 0;
+  double best_fitness = 0.0;       ///< [body lengths]; NaN if no survivor is valid
+  double median_fitness = 0.0;     ///< of the valid survivors [body lengths]; NaN if there is none
+  std::vector<int64_t> survivors;  ///< ids in ranking order
+};
+
+/// How much there is of a trial.
+struct TrialExtent
+{
+  int64_t last_generation = 0;
+  int64_t individuals = 0;
+  int64_t survivors = 0;  ///< rows, over all generations
+  int64_t next_id = 0;    ///< the lowest id never given
 };
 
 /// An experiment's record: one SQLite file, `experiment.db` in the output folder, one transaction per generation.
@@ -81,6 +112,23 @@ public:
 
   /// Numbers of the trials with at least one committed generation, ascending.
   virtual std::vector<int64_t> trials() const = 0;
+
+  /// @throw InvalidInput if the trial has no committed generation.
+  virtual TrialExtent extentOf(int64_t trial) const = 0;
+
+  /// Those individuals whose ids lie in [first_id, first_id + count), ascending. Genomes are not made again: has_genome
+  /// tells whether it is stored, whatever its hash.
+  virtual std::vector<ArchivedIndividual> readIndividuals(int64_t trial, int64_t first_id, int64_t count) const = 0;
+
+  /// None if there is no such generation.
+  virtual std::optional<ArchivedSelection> readSelection(int64_t trial, int64_t generation) const = 0;
+
+  /// Every start of an evolver on this archive, in their order.
+  virtual std::vector<Start> starts() const = 0;
+
+  /// Looks for damage to the file itself, and for rows that belong to nothing.
+  /// @return what is wrong first; empty if nothing is.
+  virtual std::string findDamage() const = 0;
 
   /// Of the experiment; trials and generations as the last start asked for, or as committed if that is more.
   virtual ExperimentSettings settings() const = 0;

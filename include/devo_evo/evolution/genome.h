@@ -61,7 +61,7 @@ Genome mutateOneVoxel(const Genome& parent, const std::vector<TraitSpec>& traits
                       const Lattice& lattice, RandomStream& random);
 
 /// The only way in which individuals come to be: a pure function, so that an individual can be had again from its
-/// parent or, if it has none, from nothing.
+/// parent or, if it has none, from the settings.
 /// @param generation in which it is born.
 /// @param parent     its parent's genome; nullptr for a founder or an injected individual.
 Genome bornGenome(const EvolutionSettings& settings, const Lattice& lattice, int64_t trial, int64_t generation,

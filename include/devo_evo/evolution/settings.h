@@ -3,12 +3,15 @@
 #include "devo_evo/soft_body/settings.h"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace devo_evo
 {
+struct Genome;
+
 /// What of a robot develops: changes over its life from initial to final values. The first two are the paper's.
 /// To add a treatment, give it a name here and a row in TREATMENTS; everything else follows (docs/evolution.md).
 enum class Treatment
@@ -75,6 +78,10 @@ struct EvolutionSettings
   int population = 30;        ///< survivors of each generation [1]
   int random_injections = 1;  ///< random individuals of age 0 that join each generation [1]
   int64_t seed = 1;           ///< of all randomness [1, 0 to 2^63 - 1]
+
+  /// The first founders of every trial, in the order of their ids; further ones are random, as all are if there are
+  /// none.
+  std::shared_ptr<const std::vector<Genome>> founders;
 
   double size_mutation_sigma = 1.0;         ///< of a size gene [1]; 0.75 cm of resting length
   double meta_mutation_sigma = 4.0 / 48;    ///< of a mutation rate, at every reproduction [1]

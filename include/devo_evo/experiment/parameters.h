@@ -49,6 +49,9 @@ struct ParameterSpec
 /// All parameters, group by group, in the order of the documentation.
 const std::vector<ParameterSpec>& parameterSpecs();
 
+/// Whether a parameter says what an experiment is, not where its files lie or what it runs on. Those are archived.
+bool describesExperiment(const ParameterSpec& spec);
+
 /// @throw InvalidInput if there is none of this name; the message names the closest one.
 const ParameterSpec& parameterSpec(const std::string& name);
 
