@@ -27,4 +27,6 @@ void addVerifyCommand(CLI::App& tool, Command& command);
 void addDiffCommand(CLI::App& tool, Command& command);
 void addInfoCommand(CLI::App& tool, Command& command);
 void addParametersCommand(CLI::App& tool, Command& command);
+void addRenderCommand(CLI::App& tool, Command& command);
+void addOverviewCommand(CLI::App& tool, Command& command);
 }  // namespace devo_evo

@@ -71,6 +71,8 @@ int run(int argc, char** argv)
   addDiffCommand(tool, command);
   addInfoCommand(tool, command);
   addParametersCommand(tool, command);
+  addRenderCommand(tool, command);
+  addOverviewCommand(tool, command);
   try
   {
     if (argc > 1 && argv[1][0] != '-')

@@ -19,7 +19,8 @@ LAYERS = {
     "render": {"soft_body", "evolution", "archive", "experiment"},
     "study": {"soft_body", "evolution", "farm", "archive", "experiment"},
     "verification": {"soft_body", "evolution", "farm", "archive", "experiment"},
-    "cli": {"soft_body", "evolution", "farm", "archive", "experiment", "study", "render", "verification"},
+    "picture": {"soft_body", "evolution", "archive", "experiment", "render"},
+    "cli": {"soft_body", "evolution", "farm", "archive", "experiment", "study", "render", "verification", "picture"},
 }
 ROS_HEADER = re.compile(r"^(ros|roscpp|rosbag|tf2|tf2_ros|\w+_msgs|std_srvs|diagnostic_updater)/"
                         r"|^devo_evo/[A-Z]\w*\.h$")
