@@ -10,7 +10,7 @@ include(GoogleTest)
 
 file(GLOB unit_tests CONFIGURE_DEPENDS test/soft_body/test_*.cpp test/rigid_body/test_*.cpp test/evolution/test_*.cpp
   test/archive/test_*.cpp test/farm/test_*.cpp test/experiment/test_*.cpp test/study/test_*.cpp test/render/test_*.cpp
-  test/verification/test_*.cpp test/interchange/test_*.cpp test/cli/test_*.cpp)
+  test/verification/test_*.cpp test/interchange/test_*.cpp test/picture/test_*.cpp test/cli/test_*.cpp)
 foreach(source ${unit_tests})
   get_filename_component(name ${source} NAME_WE)
   add_executable(${name} EXCLUDE_FROM_ALL ${source})
@@ -21,6 +21,9 @@ foreach(source ${unit_tests})
     DEVO_EVO_TOOL="$<TARGET_FILE:devo_evo_cli>")
   target_link_libraries(${name} PRIVATE devo_evo_core GTest::gtest GTest::gtest_main nlohmann_json::nlohmann_json
     SQLiteCpp SQLite::SQLite3 OpenSSL::Crypto ${ODE_LIBRARY})
+  if(source MATCHES "/test/picture/")
+    target_link_libraries(${name} PRIVATE devo_evo_picture)
+  endif()
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/test)
   gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)
   add_dependencies(tests ${name})
