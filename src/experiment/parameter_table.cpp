@@ -299,6 +299,9 @@ std::vector<ParameterSpec> nodesSpecs()
     ownNumber<double>(
         { "batch_timeout", &Parameters::batch_timeout, 0.1, 86400.0 }, "nodes", "s",
         "How long a simulator may take for a batch before it counts as lost and its robots go to others."),
+    ownNumber<double>({ "checked_fraction", &Parameters::checked_fraction, 0.0, 1.0 }, "nodes", "",
+                      "Share of robots that the evolver has evaluated twice, by different simulators, to find those "
+                      "that compute wrongly. Results do not depend on it."),
     ownNumber<double>({ "announcement_period", &Parameters::announcement_period, 0.05, 60.0 }, "nodes", "s",
                       "How often a simulator announces itself."),
   };

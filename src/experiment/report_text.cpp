@@ -4,6 +4,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <map>
 
 namespace devo_evo
 {
@@ -22,6 +23,24 @@ std::string describe(const ArchivedIndividual& robot, double lifetime)
          fixedText(evaluation.turns, 2) + " turns, " + fall + "\n" +  //
          "    developmental windows: W_L " + fixedText(robot.morphology_window, 3) + " (body), W_Phi " +
          fixedText(robot.control_window, 3) + " (control)\n";
+}
+
+/// "3 evaluations".
+std::string counted(int64_t count, const std::string& noun)
+{
+  return toText(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
+struct HostWork
+{
+  int64_t usable = 0;
+  int64_t evaluations = 0;
+};
+
+bool inTrouble(const WorkerStatus& worker)
+{
+  return worker.state == WorkerState::LATE || worker.state == WorkerState::LOST ||
+         worker.state == WorkerState::REFUSED || worker.state == WorkerState::QUARANTINED;
 }
 }  // namespace
 
@@ -63,6 +82,42 @@ std::string progressText(const GenerationReport& report, const ExperimentSetting
          "/" + toText(settings.generations) + ": best " + fixedText(record.best_fitness, 3) + ", median " +
          fixedText(record.median_fitness, 3) + " body lengths; " + fixedText(report.evaluations_per_s, 1) +
          " evaluations/s, " + durationText(report.remaining_s) + " left";
+}
+
+std::string workersText(const std::vector<WorkerStatus>& workers)
+{
+  std::map<std::string, HostWork> hosts;
+  HostWork all;
+  int64_t checked = 0;
+  for (const WorkerStatus& worker : workers)
+  {
+    for (HostWork* const work : { &hosts[worker.host], &all })
+    {
+      work->usable += worker.usable() ? 1 : 0;
+      work->evaluations += worker.evaluations;
+    }
+    checked += worker.checked;
+  }
+  if (workers.empty())
+  {
+    return "";
+  }
+  std::string text = "Simulators: " + toText(all.usable) + " at work; " + counted(all.evaluations, "evaluation") +
+                     ", of which " + toText(checked) + " checked\n";
+  for (const auto& [host, work] : hosts)
+  {
+    text +=
+        "    host " + host + ": " + toText(work.usable) + " at work, " + counted(work.evaluations, "evaluation") + "\n";
+  }
+  for (const WorkerStatus& worker : workers)
+  {
+    if (inTrouble(worker))
+    {
+      text += "    " + worker.name + " (host " + worker.host + ", " + counted(worker.evaluations, "evaluation") + ") " +
+              stateText(worker) + "\n";
+    }
+  }
+  return text;
 }
 
 std::string resultsText(const Archive& archive, const std::string& output)

@@ -24,7 +24,8 @@ public:
   {
     for (int i = 0; i < threads; ++i)
     {
-      workers_.push_back({ "thread " + toText(i + 1), "idle", true, 0 });
+      workers_.emplace_back();
+      workers_.back().name = "thread " + toText(i + 1);
     }
     try
     {
@@ -93,7 +94,7 @@ private:
   std::vector<EvaluationRequest> take(size_t worker)
   {
     std::unique_lock<std::mutex> lock(mutex_);
-    workers_[worker].state = "idle";
+    workers_[worker].state = WorkerState::IDLE;
     ++idle_;
     work_to_do_.wait(lock, [this] { return stop_ || error_ || !requests_.empty(); });
     const size_t size = groupSize();
@@ -102,7 +103,7 @@ private:
     {
       return {};
     }
-    workers_[worker].state = "working";
+    workers_[worker].state = WorkerState::WORKING;
     const auto end = requests_.begin() + static_cast<std::ptrdiff_t>(size);
     std::vector<EvaluationRequest> group(std::make_move_iterator(requests_.begin()), std::make_move_iterator(end));
     requests_.erase(requests_.begin(), end);
@@ -145,8 +146,8 @@ private:
   {
     {
       const std::lock_guard<std::mutex> lock(mutex_);
-      workers_[worker].state = "lost: it failed";
-      workers_[worker].usable = false;
+      workers_[worker].state = WorkerState::LOST;
+      workers_[worker].reason = "it failed";
       error_ = error_ ? error_ : std::move(error);
     }
     something_to_report_.notify_all();

@@ -6,6 +6,7 @@
 #include <ros/node_handle.h>
 
 #include <string>
+#include <vector>
 
 namespace devo_evo
 {
@@ -15,6 +16,9 @@ class ArchiveServices
 {
 public:
   ArchiveServices(ros::NodeHandle node, const std::string& output);
+
+  /// Resolved names of the services.
+  std::vector<std::string> names() const { return { individual_.getService(), lineage_.getService() }; }
 
 private:
   bool individual(GetIndividual::Request& request, GetIndividual::Response& response);

@@ -51,21 +51,53 @@ DiagnosticStatus statusOf(const ExperimentStatus& experiment, int64_t usable)
   return status;
 }
 
+uint8_t levelOf(WorkerState state)
+{
+  switch (state)
+  {
+    case WorkerState::LATE:
+    case WorkerState::LOST:
+      return DiagnosticStatus::WARN;
+    case WorkerState::REFUSED:
+    case WorkerState::QUARANTINED:
+      return DiagnosticStatus::ERROR;
+    default:
+      return DiagnosticStatus::OK;
+  }
+}
+
 DiagnosticStatus statusOf(const WorkerStatus& worker)
 {
   DiagnosticStatus status;
-  const bool refused = worker.state.rfind("refused", 0) == 0;
-  const bool lost = worker.state.rfind("lost", 0) == 0;
-  status.level = refused ? DiagnosticStatus::ERROR : lost ? DiagnosticStatus::WARN : DiagnosticStatus::OK;
-  status.message = worker.state;
+  status.level = levelOf(worker.state);
+  status.message = stateText(worker);
+  status.hardware_id = worker.host;
+  add(status, "host", worker.host);
   add(status, "evaluations", toText(worker.evaluations));
+  add(status, "evaluations checked", toText(worker.checked));
+  add(status, "times lost", toText(worker.losses));
+  if (worker.losses > 0)
+  {
+    add(status, "last trouble", worker.reason);
+  }
   return status;
 }
 }  // namespace
 
 int64_t usableWorkers(const std::vector<WorkerStatus>& workers)
 {
-  return std::count_if(workers.begin(), workers.end(), [](const WorkerStatus& worker) { return worker.usable; });
+  return std::count_if(workers.begin(), workers.end(), [](const WorkerStatus& worker) { return worker.usable(); });
+}
+
+void countSimulators(const std::vector<WorkerStatus>& workers, GenerationSummary& summary)
+{
+  const auto count = [&](const auto& condition)
+  { return static_cast<int32_t>(std::count_if(workers.begin(), workers.end(), condition)); };
+  summary.simulators = count([](const WorkerStatus& worker) { return worker.usable(); });
+  summary.simulators_late = count([](const WorkerStatus& worker) { return worker.state == WorkerState::LATE; });
+  summary.simulators_lost = count([](const WorkerStatus& worker) { return worker.state == WorkerState::LOST; });
+  summary.simulators_rejected =
+      count([](const WorkerStatus& worker) { return levelOf(worker.state) == DiagnosticStatus::ERROR; });
 }
 
 diagnostic_msgs::DiagnosticArray diagnosticsOf(const std::string& node, const ExperimentStatus& experiment,

@@ -2,6 +2,7 @@
 
 #include "devo_evo/farm/farm.h"
 
+#include <devo_evo/GenerationSummary.h>
 #include <diagnostic_msgs/DiagnosticArray.h>
 
 #include <cstdint>
@@ -27,8 +28,11 @@ struct ExperimentStatus
 /// How many of the workers take work.
 int64_t usableWorkers(const std::vector<WorkerStatus>& workers);
 
+/// Fills in how many simulators there are in which state.
+void countSimulators(const std::vector<WorkerStatus>& workers, GenerationSummary& summary);
+
 /// One status on the experiment (a warning while it is paused or has no simulator), then one on each simulator (a
-/// warning if it is lost, an error if it was refused).
+/// warning if it is late or lost, an error if it was refused or quarantined).
 /// @param node name of the node that publishes it.
 diagnostic_msgs::DiagnosticArray diagnosticsOf(const std::string& node, const ExperimentStatus& experiment,
                                                const std::vector<WorkerStatus>& workers);

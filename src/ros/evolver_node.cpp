@@ -20,6 +20,7 @@ namespace
 constexpr std::chrono::seconds DIAGNOSTICS_PERIOD{ 1 };
 constexpr std::chrono::seconds SHORTEST_PROGRESS{ 1 };  // between lines on progress, which become rarer
 constexpr std::chrono::seconds LONGEST_PROGRESS{ 60 };
+constexpr std::chrono::minutes FARM_REPORT_PERIOD{ 10 };
 constexpr double LAST_MESSAGES = 0.3;  // for how long subscribers can still be sent what was published last [s]
 
 /// The arguments say where results go; without one, a folder of the user's.
@@ -42,15 +43,6 @@ Provenance provenanceOf(uint64_t fingerprint)
   provenance.ros = "roscpp " + std::to_string(ROS_VERSION_MAJOR) + "." + std::to_string(ROS_VERSION_MINOR) + "." +
                    std::to_string(ROS_VERSION_PATCH);
   return provenance;
-}
-
-SimulatorFarmSettings farmSettings(const Parameters& parameters, const SoftBodySettings& body, uint64_t fingerprint)
-{
-  SimulatorFarmSettings settings;
-  settings.body = body;
-  settings.engine_fingerprint = fingerprint;
-  settings.batch_timeout = std::chrono::duration<double>(parameters.batch_timeout);
-  return settings;
 }
 
 bool isBetter(const EvolvedRobot& candidate, const EvolvedRobot& present)
@@ -81,6 +73,9 @@ EvolverNode::EvolverNode(const Parameters& parameters, const ExperimentSettings&
   pause_ = node_.advertiseService("pause", &EvolverNode::pause, this);
   resume_ = node_.advertiseService("resume", &EvolverNode::resume, this);
   stop_ = node_.advertiseService("stop", &EvolverNode::stop, this);
+  std::vector<std::string> services = archive_services_.names();
+  services.insert(services.end(), { pause_.getService(), resume_.getService(), stop_.getService() });
+  master_watch_ = std::make_unique<MasterWatch>(std::move(services));
 
   status_.output = settings_.output;
   status_.trials = settings_.trials;
@@ -111,9 +106,11 @@ RunOutcome EvolverNode::run()
   say("evolving in " + settings_.output + (status_.generations_committed > 0 ? ", resumed" : ""));
   idle_warning_.update(true);
   started_ = Clock::now();
+  next_farm_report_ = started_ + FARM_REPORT_PERIOD;
   callbacks_.start();
   const RunOutcome outcome = experiment_.run();
   publishDiagnostics();
+  sayWhoWorked();
   say((outcome == RunOutcome::FINISHED ? "finished\n" : "stopped\n") + resultsText(*archive_, settings_.output) +
       (outcome == RunOutcome::FINISHED ? "To go on: the same command with more generations or trials"
                                        : "To go on: the same command"));
@@ -121,10 +118,21 @@ RunOutcome EvolverNode::run()
   return outcome;
 }
 
+void EvolverNode::sayWhoWorked()
+{
+  std::string text = workersText(farm_.status());
+  if (!text.empty())
+  {
+    text.pop_back();  // the end of the last line, which say() adds
+    say(text);
+  }
+}
+
 bool EvolverNode::close()
 {
   callbacks_.stop();
-  return farm_.close();
+  const bool master_watch_ended = master_watch_->close();
+  return farm_.close() && master_watch_ended;
 }
 
 void EvolverNode::generationCommitted(const GenerationReport& report)
@@ -134,7 +142,9 @@ void EvolverNode::generationCommitted(const GenerationReport& report)
   status_.total_evaluations = report.total_evaluations;
   status_.evaluations_per_s = report.evaluations_per_s;
   status_.remaining_s = report.remaining_s;
-  generation_.publish(toMsg(report, settings_));
+  GenerationSummary summary = toMsg(report, settings_);
+  countSimulators(farm_.status(), summary);
+  generation_.publish(summary);
   publishChampion(toMsg(report.champion, report.record.generation, settings_.evolution));
   showProgress(report);
 }
@@ -182,6 +192,11 @@ void EvolverNode::publishDiagnostics()
   status_.paused = experiment_.paused();
   diagnostics_.publish(diagnosticsOf(ros::this_node::getName(), status_, workers));
   idle_warning_.update(status_.paused || usableWorkers(workers) > 0);
+  if (Clock::now() >= next_farm_report_)
+  {
+    next_farm_report_ = Clock::now() + FARM_REPORT_PERIOD;
+    sayWhoWorked();
+  }
 }
 
 bool EvolverNode::pause(std_srvs::Trigger::Request& /*request*/, std_srvs::Trigger::Response& response)

@@ -6,6 +6,7 @@
 #include "ros/archive_services.h"
 #include "ros/diagnostics.h"
 #include "ros/idle_warning.h"
+#include "ros/master_watch.h"
 #include "ros/ros_farm.h"
 
 #include <devo_evo/EvolvedRobot.h>
@@ -35,7 +36,8 @@ public:
   /// @throw ArchiveError if results cannot be kept.
   RunOutcome run();
 
-  /// Ends all work with simulators. @return false if threads hang in the network's code: SimulatorFarm::close().
+  /// Ends all work with simulators and the master. @return false if threads hang in the network's code:
+  /// SimulatorFarm::close(), MasterWatch::close().
   bool close();
 
 private:
@@ -50,6 +52,7 @@ private:
   void publishChampion(const EvolvedRobot& champion);
   void showProgress(const GenerationReport& report);
   void publishDiagnostics();
+  void sayWhoWorked();
 
   bool pause(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
   bool resume(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
@@ -66,6 +69,7 @@ private:
   std::optional<EvolvedRobot> best_;  // of all trials
   Clock::time_point started_;
   Clock::time_point next_progress_;
+  Clock::time_point next_farm_report_;
   Clock::time_point diagnosed_;
   IdleWarning idle_warning_;
 
@@ -77,5 +81,6 @@ private:
   ros::ServiceServer resume_;
   ros::ServiceServer stop_;
   ros::AsyncSpinner callbacks_;
+  std::unique_ptr<MasterWatch> master_watch_;
 };
 }  // namespace devo_evo

@@ -1,5 +1,6 @@
 #include "ros/ros_farm.h"
 
+#include "devo_evo/soft_body/simulation.h"
 #include "ros/conversions.h"
 #include "ros/message_reader.h"
 
@@ -68,9 +69,22 @@ private:
 };
 }  // namespace
 
+SimulatorFarmSettings farmSettings(const Parameters& parameters, const SoftBodySettings& body, uint64_t fingerprint)
+{
+  SimulatorFarmSettings settings;
+  settings.body = body;
+  settings.engine_fingerprint = fingerprint;
+  settings.batch_timeout = std::chrono::duration<double>(parameters.batch_timeout);
+  settings.checked_fraction = parameters.checked_fraction;
+  return settings;
+}
+
 RosFarm::RosFarm(ros::NodeHandle node, const SimulatorFarmSettings& settings)
-  : farm_(settings,
-          [](const SimulatorAnnouncement& simulator) { return std::make_shared<ServiceConnection>(simulator.service); })
+  : farm_(
+        settings,
+        [](const SimulatorAnnouncement& simulator) { return std::make_shared<ServiceConnection>(simulator.service); },
+        [body = settings.body](const DevelopmentalProgram& robot, const std::atomic<bool>& stop)
+        { return evaluate(body, { robot }, bestInstructionSet(), &stop).front(); })
   , announcements_(node.subscribe("simulators", 1000, &RosFarm::heardFrom, this))
 {
 }

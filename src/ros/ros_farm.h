@@ -1,5 +1,6 @@
 #pragma once
 
+#include "devo_evo/experiment/parameters.h"
 #include "ros/simulator_farm.h"
 
 #include <ros/node_handle.h>
@@ -7,6 +8,9 @@
 
 namespace devo_evo
 {
+/// Settings of a farm as the parameters say.
+SimulatorFarmSettings farmSettings(const Parameters& parameters, const SoftBodySettings& body, uint64_t fingerprint);
+
 /// A SimulatorFarm of the simulators that announce themselves on topic `simulators`, asked through their services.
 class RosFarm : public Farm
 {

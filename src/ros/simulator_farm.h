@@ -6,6 +6,7 @@
 #include <devo_evo/EvaluateGenomes.h>
 #include <devo_evo/SimulatorAnnouncement.h>
 
+#include <atomic>
 #include <chrono>
 #include <functional>
 #include <memory>
@@ -32,6 +33,9 @@ public:
 /// Makes the connection to a simulator that announced itself. Must not block.
 using SimulatorConnector = std::function<std::shared_ptr<SimulatorConnection>(const SimulatorAnnouncement&)>;
 
+/// Evaluates a robot in this process. @param stop once true, it may throw EvaluationAbandoned.
+using Referee = std::function<Evaluation(const DevelopmentalProgram&, const std::atomic<bool>& stop)>;
+
 struct SimulatorFarmSettings
 {
   SoftBodySettings body;
@@ -46,6 +50,13 @@ struct SimulatorFarmSettings
 
   /// For how long a simulator that failed gets no work; doubles with every further failure in a row, up to a minute.
   std::chrono::duration<double> retry_delay{ 1.0 };
+
+  /// A simulator that takes ten times as long for a batch as is usual in the farm, and at least this, is late: others
+  /// are given its batch too.
+  std::chrono::duration<double> shortest_lateness{ 2.0 };
+
+  /// Of robots that are evaluated twice, on different simulators, 0 to 1.
+  double checked_fraction = 0.0;
 };
 
 /// A farm of simulators that come, go and fail as they like. What it hears of them comes in by heardFrom(); how they
@@ -57,7 +68,9 @@ struct SimulatorFarmSettings
 class SimulatorFarm : public Farm
 {
 public:
-  SimulatorFarm(const SimulatorFarmSettings& settings, SimulatorConnector connector);
+  /// @param referee used in a thread of the farm's own, for robots on which evaluations differ, and for those to be
+  ///        checked while there is only one simulator. An error in it is thrown by collect().
+  SimulatorFarm(const SimulatorFarmSettings& settings, SimulatorConnector connector, Referee referee);
   ~SimulatorFarm() override;
 
   SimulatorFarm(const SimulatorFarm&) = delete;
@@ -73,8 +86,7 @@ public:
 
   /// Takes no more work, aborts all calls and waits for the threads that make them, at most for two seconds.
   /// @return whether all have ended; those that have not hang in the network's code and never will do harm, but must
-  /// not
-  ///         see the end of main().
+  ///         not see the end of main().
   bool close();
 
 private:
@@ -83,5 +95,6 @@ private:
   const SimulatorConnector connector_;
   const std::shared_ptr<State> state_;
   std::thread watchdog_;
+  std::thread referee_;
 };
 }  // namespace devo_evo

@@ -53,6 +53,7 @@ SimulatorNode::SimulatorNode(InstructionSet instruction_set, double announcement
   announcement_timer_ = node_.createSteadyTimer(ros::WallDuration(announcement_period_s),
                                                 [this](const ros::SteadyTimerEvent&) { announce(); });
   announce();
+  master_watch_ = std::make_unique<MasterWatch>(std::vector<std::string>{ service_.getService() });
   ROS_INFO_STREAM("simulating with " << toString(instruction_set) << ", " << laneCount(instruction_set)
                                      << " robots in lock-step; engine fingerprint " << hashToString(fingerprint_));
 }

@@ -2,6 +2,7 @@
 
 #include "devo_evo/farm/farm.h"
 #include "devo_evo/soft_body/simulation.h"
+#include "ros/master_watch.h"
 
 #include <devo_evo/EvaluateGenomes.h>
 
@@ -11,6 +12,7 @@
 #include <ros/steady_timer.h>
 
 #include <atomic>
+#include <memory>
 #include <string>
 
 namespace devo_evo
@@ -53,5 +55,6 @@ private:
   ros::ServiceServer service_;
   ros::SteadyTimer announcement_timer_;
   ros::AsyncSpinner evaluation_thread_;
+  std::unique_ptr<MasterWatch> master_watch_;
 };
 }  // namespace devo_evo

@@ -47,7 +47,10 @@ Parameters withOutput(Parameters parameters)
 }  // namespace
 
 StudyNode::StudyNode(const Parameters& parameters)
-  : parameters_(withOutput(parameters)), callbacks_(2), idle_warning_(node_.resolveName("simulators"))
+  : parameters_(withOutput(parameters))
+  , callbacks_(2)
+  , idle_warning_(node_.resolveName("simulators"))
+  , master_watch_({})
 {
 }
 
@@ -65,21 +68,18 @@ RunOutcome StudyNode::run()
   say(outcome == RunOutcome::FINISHED ? "finished\nStudy: " + output
                                       : "stopped\nStudy: " + output + "\nTo go on: the same command");
   callbacks_.stop();
+  clean_ = master_watch_.close() && clean_;
   return outcome;
 }
 
 std::unique_ptr<Farm> StudyNode::makeFarm(const SoftBodySettings& body, uint64_t fingerprint)
 {
-  SimulatorFarmSettings settings;
-  settings.body = body;
-  settings.engine_fingerprint = fingerprint;
-  settings.batch_timeout = std::chrono::duration<double>(parameters_.batch_timeout);
   const auto closed = [this](bool clean)
   {
     clean_ = clean_ && clean;
     somebody_works_ = nullptr;
   };
-  auto farm = std::make_unique<ClosingFarm>(node_, settings, closed);
+  auto farm = std::make_unique<ClosingFarm>(node_, farmSettings(parameters_, body, fingerprint), closed);
   somebody_works_ = [&farm = *farm] { return usableWorkers(farm.status()) > 0; };
   idle_warning_.update(true);
   return farm;

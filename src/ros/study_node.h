@@ -2,6 +2,7 @@
 
 #include "devo_evo/study/study.h"
 #include "ros/idle_warning.h"
+#include "ros/master_watch.h"
 
 #include <ros/node_handle.h>
 #include <ros/spinner.h>
@@ -22,7 +23,7 @@ public:
   /// @throw ArchiveError if results cannot be kept; InvalidInput.
   RunOutcome run();
 
-  /// Whether no thread hangs in the network's code: SimulatorFarm::close().
+  /// Whether no thread hangs in the network's code: SimulatorFarm::close(), MasterWatch::close().
   bool clean() const { return clean_; }
 
 private:
@@ -38,6 +39,7 @@ private:
   ros::NodeHandle node_;
   ros::AsyncSpinner callbacks_;
   IdleWarning idle_warning_;
+  MasterWatch master_watch_;
   std::function<bool()> somebody_works_;  // asks the present farm; empty between two
   bool clean_ = true;
   Clock::time_point started_ = Clock::now();

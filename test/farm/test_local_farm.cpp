@@ -94,7 +94,7 @@ TEST(LocalFarm, CountsWhatEachThreadDid)
   const auto workers = farm->status();
   ASSERT_EQ(workers.size(), 2u);
   EXPECT_EQ(workers[0].evaluations + workers[1].evaluations, 20);
-  EXPECT_TRUE(workers[0].usable && workers[1].usable);
+  EXPECT_TRUE(workers[0].usable() && workers[1].usable());
   EXPECT_EQ(workers[0].name, "thread 1");
 }
 
@@ -130,7 +130,7 @@ TEST(LocalFarm, AbandonsItsWorkWhenDestroyed)
   {
     const auto farm = makeLocalFarm(settings, 3);
     farm->submit(requests(100));
-    while (farm->status()[0].state != "working" && steady_clock::now() - start < std::chrono::seconds(10))
+    while (farm->status()[0].state != WorkerState::WORKING && steady_clock::now() - start < std::chrono::seconds(10))
     {
       std::this_thread::yield();
     }

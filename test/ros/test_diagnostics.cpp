@@ -38,7 +38,7 @@ std::string valueOf(const DiagnosticStatus& status, const std::string& key)
   return "(none)";
 }
 
-const WorkerStatus BUSY = { "/simulator_1", "working", true, 450 };
+const WorkerStatus BUSY = { "/simulator_1", "host1", WorkerState::WORKING, "", 450, 2, 0 };
 
 TEST(Diagnostics, TellHowTheExperimentIsDoing)
 {
@@ -72,18 +72,41 @@ TEST(Diagnostics, AFinishedExperimentNeedsNoSimulator)
 
 TEST(Diagnostics, TellOfEverySimulator)
 {
-  const auto status = diagnosticsOf("/evolver", running(),
-                                    { BUSY,
-                                      { "/simulator_2", "lost: no sign of life for 5 s", false, 3 },
-                                      { "/simulator_3", "refused: another engine", false, 0 } })
-                          .status;
-  ASSERT_EQ(status.size(), 4u);
+  const auto status =
+      diagnosticsOf("/evolver", running(),
+                    { BUSY,
+                      { "/simulator_2", "host2", WorkerState::LOST, "no sign of life for 5 s", 3, 0, 1 },
+                      { "/simulator_3", "host3", WorkerState::REFUSED, "another engine", 0, 0, 0 },
+                      { "/simulator_4", "host4", WorkerState::LATE, "no answer for 3 s", 8, 1, 0 },
+                      { "/simulator_5", "host5", WorkerState::QUARANTINED, "wrong", 9, 1, 0 } })
+          .status;
+  ASSERT_EQ(status.size(), 6u);
   EXPECT_EQ(status[1].name, "/evolver: simulator /simulator_1");
   EXPECT_EQ(status[1].level, DiagnosticStatus::OK);
   EXPECT_EQ(valueOf(status[1], "evaluations"), "450");
+  EXPECT_EQ(valueOf(status[1], "evaluations checked"), "2");
   EXPECT_EQ(status[2].level, DiagnosticStatus::WARN);
   EXPECT_EQ(status[2].message, "lost: no sign of life for 5 s");
+  EXPECT_EQ(valueOf(status[2], "times lost"), "1");
+  EXPECT_EQ(valueOf(status[2], "host"), "host2");
   EXPECT_EQ(status[3].level, DiagnosticStatus::ERROR);
+  EXPECT_EQ(status[3].message, "refused: another engine");
+  EXPECT_EQ(status[4].level, DiagnosticStatus::WARN);
+  EXPECT_EQ(status[4].message, "late: no answer for 3 s");
+  EXPECT_EQ(status[5].level, DiagnosticStatus::ERROR);
+}
+
+TEST(Diagnostics, ReportsOfGenerationsCountSimulators)
+{
+  const auto in = [](WorkerState state) { return WorkerStatus{ "/s", "host", state, "", 0, 0, 0 }; };
+  GenerationSummary summary;
+  countSimulators({ in(WorkerState::IDLE), in(WorkerState::WORKING), in(WorkerState::LATE), in(WorkerState::LOST),
+                    in(WorkerState::CONNECTING), in(WorkerState::REFUSED), in(WorkerState::QUARANTINED) },
+                  summary);
+  EXPECT_EQ(summary.simulators, 3);
+  EXPECT_EQ(summary.simulators_late, 1);
+  EXPECT_EQ(summary.simulators_lost, 1);
+  EXPECT_EQ(summary.simulators_rejected, 2);
 }
 }  // namespace
 }  // namespace devo_evo

@@ -146,7 +146,16 @@ protected:
   void open()
   {
     farm_ = std::make_unique<SimulatorFarm>(
-        settings_, [this](const SimulatorAnnouncement& announcement) { return fakes_.at(announcement.name); });
+        settings_, [this](const SimulatorAnnouncement& announcement) { return fakes_.at(announcement.name); },
+        [this](const DevelopmentalProgram& program, const std::atomic<bool>& /*stop*/)
+        {
+          ++judged_;
+          if (!referee_error_.empty())
+          {
+            throw std::runtime_error(referee_error_);
+          }
+          return honestEvaluation(program.size_gene_initial[0]);
+        });
   }
 
   FakeSimulator& addFake(const std::string& name)
@@ -155,12 +164,13 @@ protected:
     return *fakes_[name];
   }
 
-  void announce(const std::string& name, uint64_t fingerprint = FINGERPRINT)
+  void announce(const std::string& name, uint64_t fingerprint = FINGERPRINT, uint32_t pid = 1)
   {
     SimulatorAnnouncement announcement;
     announcement.name = name;
     announcement.service = name + "/evaluate";
     announcement.host = "host";
+    announcement.pid = pid;
     announcement.version = "9.9.9";
     announcement.instruction_set = "avx2";
     announcement.engine_fingerprint = fingerprint;
@@ -173,7 +183,7 @@ protected:
   {
     FakeSimulator& fake = addFake(name);
     announce(name);
-    EXPECT_TRUE(eventually([&] { return status(name).usable; }));
+    EXPECT_TRUE(eventually([&] { return status(name).usable(); }));
     return fake;
   }
 
@@ -188,6 +198,8 @@ protected:
     }
     return {};
   }
+
+  std::string state(const std::string& name) const { return stateText(status(name)); }
 
   /// Collects until `count` results have come, and a little longer to see whether there are more.
   std::vector<EvaluationResult> collect(size_t count)
@@ -218,6 +230,8 @@ protected:
 
   SimulatorFarmSettings settings_;
   std::map<std::string, std::shared_ptr<FakeSimulator>> fakes_;
+  std::atomic<int> judged_{ 0 };
+  std::string referee_error_;
   std::unique_ptr<SimulatorFarm> farm_;
 };
 
@@ -267,11 +281,11 @@ TEST_F(SimulatorFarmTest, TheRobotsOfASimulatorThatDiesGoToAnother)
   FakeSimulator& victim = join("/victim");
   victim.hangs = true;
   farm_->submit(robots(3));
-  ASSERT_TRUE(eventually([&] { return status("/victim").state == "working"; }));
+  ASSERT_TRUE(eventually([&] { return state("/victim") == "working"; }));
   victim.dead = true;
   victim.stopHanging();
-  ASSERT_TRUE(eventually([&] { return !status("/victim").usable; }));
-  EXPECT_EQ(status("/victim").state, "lost: the connection failed");
+  ASSERT_TRUE(eventually([&] { return !status("/victim").usable(); }));
+  EXPECT_EQ(state("/victim"), "lost: the connection failed");
   join("/heir");
   expectEachOnce(collect(3), 3);
 }
@@ -283,8 +297,8 @@ TEST_F(SimulatorFarmTest, ASimulatorThatTakesTooLongIsGivenUp)
   FakeSimulator& slow = join("/slow");
   slow.hangs = true;
   farm_->submit(robots(3));
-  ASSERT_TRUE(eventually([&] { return !status("/slow").usable; }));
-  EXPECT_EQ(status("/slow").state, "lost: no answer within 0.1 s");
+  ASSERT_TRUE(eventually([&] { return !status("/slow").usable(); }));
+  EXPECT_EQ(state("/slow"), "lost: no answer within 0.1 s");
   join("/quick");
   expectEachOnce(collect(3), 3);
 }
@@ -299,9 +313,9 @@ TEST_F(SimulatorFarmTest, LargerBodiesMayTakeLonger)
   slow.hangs = true;
   const std::vector<double> zeros(48, 0.0);
   farm_->submit({ { 1, 0, { zeros, zeros, zeros, zeros } } });
-  ASSERT_TRUE(eventually([&] { return status("/slow").state == "working"; }));
+  ASSERT_TRUE(eventually([&] { return state("/slow") == "working"; }));
   std::this_thread::sleep_for(100ms);
-  EXPECT_EQ(status("/slow").state, "working");
+  EXPECT_EQ(state("/slow"), "working");
 }
 
 TEST_F(SimulatorFarmTest, AnAnswerThatComesTooLateIsNotCountedTwice)
@@ -312,7 +326,7 @@ TEST_F(SimulatorFarmTest, AnAnswerThatComesTooLateIsNotCountedTwice)
   slow.hangs = true;
   slow.ignores_abort = true;
   farm_->submit(robots(3));
-  ASSERT_TRUE(eventually([&] { return !status("/slow").usable && !status("/slow").name.empty(); }));
+  ASSERT_TRUE(eventually([&] { return !status("/slow").usable(); }));
   join("/quick");
   const auto results = collect(3);
   slow.stopHanging();
@@ -327,7 +341,7 @@ TEST_F(SimulatorFarmTest, ACallThatCannotBeAbortedDelaysTheEndByTwoSecondsAtMost
   stuck.hangs = true;
   stuck.ignores_abort = true;
   farm_->submit(robots(1));
-  ASSERT_TRUE(eventually([&] { return status("/stuck").state == "working"; }));
+  ASSERT_TRUE(eventually([&] { return state("/stuck") == "working"; }));
   const auto begin = std::chrono::steady_clock::now();
   EXPECT_FALSE(farm_->close());
   EXPECT_LT(std::chrono::steady_clock::now() - begin, 4s);
@@ -340,7 +354,7 @@ TEST_F(SimulatorFarmTest, ClosingAbortsCallsAndIsPrompt)
   open();
   join("/a").hangs = true;
   farm_->submit(robots(1));
-  ASSERT_TRUE(eventually([&] { return status("/a").state == "working"; }));
+  ASSERT_TRUE(eventually([&] { return state("/a") == "working"; }));
   const auto begin = std::chrono::steady_clock::now();
   EXPECT_TRUE(farm_->close());
   EXPECT_LT(std::chrono::steady_clock::now() - begin, 1s);
@@ -352,7 +366,7 @@ TEST_F(SimulatorFarmTest, ASimulatorThatFallsSilentIsGivenUp)
   open();
   join("/a").hangs = true;
   farm_->submit(robots(2));
-  ASSERT_TRUE(eventually([&] { return status("/a").state == "lost: no sign of life for 0.15 s"; }));
+  ASSERT_TRUE(eventually([&] { return state("/a") == "lost: no sign of life for 0.15 s"; }));
 }
 
 TEST_F(SimulatorFarmTest, ALostSimulatorIsTakenInAgainWhenItAnnouncesItself)
@@ -361,13 +375,13 @@ TEST_F(SimulatorFarmTest, ALostSimulatorIsTakenInAgainWhenItAnnouncesItself)
   FakeSimulator& first = join("/a");
   first.dead = true;
   farm_->submit(robots(2));
-  ASSERT_TRUE(eventually([&] { return !status("/a").usable; }));
+  ASSERT_TRUE(eventually([&] { return !status("/a").usable(); }));
   addFake("/a");  // what the next connection leads to
   ASSERT_TRUE(eventually(
       [&]
       {
         announce("/a");
-        return status("/a").usable;
+        return status("/a").usable();
       }));
   expectEachOnce(collect(2), 2);
 }
@@ -395,10 +409,10 @@ TEST_F(SimulatorFarmTest, AnotherEngineIsRefusedAndToldSo)
   ASSERT_TRUE(eventually([&] { return stranger.calls == 1; }));
   announce("/stranger", 0xfedcba9876543210);
   EXPECT_EQ(
-      status("/stranger").state,
+      state("/stranger"),
       "refused: its engine fingerprint is fedcba9876543210, that of this evolver is 0123456789abcdef; its version "
       "is 9.9.9");
-  EXPECT_FALSE(status("/stranger").usable);
+  EXPECT_FALSE(status("/stranger").usable());
   join("/friend");
   expectEachOnce(collect(2), 2);
   EXPECT_EQ(stranger.calls, 1);
@@ -432,11 +446,174 @@ TEST_F(SimulatorFarmTest, NonsenseIsNotAcceptedFromAnybody)
   for (size_t i = 0; i < corruptions.size(); ++i)
   {
     const std::string name = "/liar_" + std::to_string(i);
-    EXPECT_TRUE(eventually([&] { return !status(name).usable; })) << name;
-    EXPECT_EQ(status(name).evaluations, 0) << name << " " << status(name).state;
+    EXPECT_TRUE(eventually([&] { return !status(name).usable(); })) << name;
+    EXPECT_EQ(status(name).evaluations, 0) << name << " " << state(name);
   }
   join("/honest");
   expectEachOnce(collect(corruptions.size()), static_cast<int64_t>(corruptions.size()));
+}
+
+TEST_F(SimulatorFarmTest, ALateSimulatorsBatchIsDoneByOthersAndItIsGivenUp)
+{
+  settings_.shortest_lateness = 50ms;
+  open();
+  FakeSimulator& slow = join("/slow");
+  farm_->submit(robots(1));
+  expectEachOnce(collect(1), 1);  // what is usual
+  slow.hangs = true;
+  farm_->submit(robots(3));
+  ASSERT_TRUE(eventually([&] { return status("/slow").state == WorkerState::LATE; }));
+  EXPECT_TRUE(status("/slow").usable());
+  join("/quick");
+  expectEachOnce(collect(3), 3);
+  ASSERT_TRUE(eventually([&] { return status("/slow").state == WorkerState::LOST; }));
+  EXPECT_NE(state("/slow").find("lost: others have done its batch meanwhile; no answer for "), std::string::npos)
+      << state("/slow");
+}
+
+TEST_F(SimulatorFarmTest, ALateSimulatorMayStillAnswer)
+{
+  settings_.shortest_lateness = 50ms;
+  open();
+  FakeSimulator& slow = join("/slow");
+  farm_->submit(robots(1));
+  expectEachOnce(collect(1), 1);
+  slow.hangs = true;
+  farm_->submit(robots(3));
+  ASSERT_TRUE(eventually([&] { return status("/slow").state == WorkerState::LATE; }));
+  slow.stopHanging();
+  expectEachOnce(collect(3), 3);
+  EXPECT_TRUE(eventually([&] { return state("/slow") == "idle"; }));
+}
+
+/// Another evaluation than everybody else's, but one that nobody can see anything wrong with.
+void tellWrongHash(EvaluateGenomes::Response& answer)
+{
+  for (auto& evaluation : answer.evaluations)
+  {
+    evaluation.state_hash = 8;
+  }
+}
+
+TEST_F(SimulatorFarmTest, AWrongEvaluationIsFoundAndItsSimulatorQuarantined)
+{
+  settings_.checked_fraction = 1.0;
+  open();
+  join("/liar").corrupt = tellWrongHash;
+  join("/honest");
+  farm_->submit(robots(20));
+  const auto results = collect(20);
+  expectEachOnce(results, 20);
+  for (const EvaluationResult& result : results)
+  {
+    EXPECT_EQ(result.evaluation.state_hash, 7u) << result.id << " by " << result.worker;
+  }
+  EXPECT_EQ(status("/liar").state, WorkerState::QUARANTINED);
+  EXPECT_NE(state("/liar").find("has state hash 0000000000000008 and fitness "), std::string::npos) << state("/liar");
+  EXPECT_TRUE(status("/honest").usable());
+  EXPECT_GT(status("/honest").checked, 0);
+  EXPECT_GT(judged_, 0);
+}
+
+TEST_F(SimulatorFarmTest, AQuarantinedSimulatorGetsNoWorkUntilAnotherProcessHasItsName)
+{
+  settings_.checked_fraction = 1.0;
+  open();
+  FakeSimulator& liar = join("/liar");
+  liar.corrupt = tellWrongHash;
+  join("/honest");
+  farm_->submit(robots(4));
+  collect(4);
+  ASSERT_EQ(status("/liar").state, WorkerState::QUARANTINED);
+  const int calls = liar.calls;
+  announce("/liar");
+  EXPECT_EQ(status("/liar").state, WorkerState::QUARANTINED);
+  EXPECT_EQ(liar.calls, calls);
+  addFake("/liar");
+  announce("/liar", FINGERPRINT, 2);
+  EXPECT_TRUE(eventually([&] { return status("/liar").usable(); }));
+}
+
+TEST_F(SimulatorFarmTest, WhatALiarSaidBeforeInTheSameGenerationIsMadeAgain)
+{
+  settings_.checked_fraction = 0.1;
+  open();
+  join("/liar").corrupt = tellWrongHash;
+  farm_->submit(robots(40));
+  ASSERT_TRUE(eventually([&] { return status("/liar").state == WorkerState::QUARANTINED; }));
+  join("/honest");
+  const auto results = collect(40);
+  expectEachOnce(results, 40);
+  for (const EvaluationResult& result : results)
+  {
+    EXPECT_EQ(result.evaluation.state_hash, 7u) << result.id << " by " << result.worker;
+  }
+}
+
+TEST_F(SimulatorFarmTest, WithOneSimulatorTheEvolverItselfChecks)
+{
+  settings_.checked_fraction = 1.0;
+  open();
+  join("/only");
+  farm_->submit(robots(6));
+  expectEachOnce(collect(6), 6);
+  EXPECT_EQ(judged_, 6);
+  EXPECT_EQ(status("/only").checked, 6);
+}
+
+TEST_F(SimulatorFarmTest, AloneALiarIsQuarantinedAndItsRobotsWait)
+{
+  settings_.checked_fraction = 1.0;
+  open();
+  join("/liar").corrupt = tellWrongHash;
+  farm_->submit(robots(6));
+  ASSERT_TRUE(eventually([&] { return status("/liar").state == WorkerState::QUARANTINED; }));
+  EXPECT_TRUE(farm_->collect(20ms).empty());
+  join("/honest");
+  expectEachOnce(collect(6), 6);
+}
+
+TEST_F(SimulatorFarmTest, AfterNonsenseEarlierAnswersOfTheSameGenerationAreNotTrusted)
+{
+  open();
+  FakeSimulator& unsound = join("/unsound");
+  unsound.corrupt = [&](EvaluateGenomes::Response& answer)
+  {
+    if (unsound.calls > 2)
+    {
+      answer.evaluations[0].fitness = Evaluation::NONE;
+    }
+    else
+    {
+      tellWrongHash(answer);
+    }
+  };
+  farm_->submit(robots(8));
+  ASSERT_TRUE(eventually([&] { return !status("/unsound").usable(); }));
+  join("/honest");
+  const auto results = collect(8);
+  expectEachOnce(results, 8);
+  for (const EvaluationResult& result : results)
+  {
+    EXPECT_EQ(result.evaluation.state_hash, 7u);
+  }
+}
+
+TEST_F(SimulatorFarmTest, AnErrorOfTheEvolversOwnEvaluationIsNotHidden)
+{
+  settings_.checked_fraction = 1.0;
+  referee_error_ = "out of memory";
+  open();
+  join("/only");
+  farm_->submit(robots(1));
+  EXPECT_THROW(
+      {
+        for (int i = 0; i < 1000; ++i)
+        {
+          farm_->collect(10ms);
+        }
+      },
+      std::runtime_error);
 }
 
 TEST_F(SimulatorFarmTest, AProgramThatDoesNotFitTheBodyIsNotSubmitted)

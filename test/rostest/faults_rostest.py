@@ -64,9 +64,9 @@ class FaultsTest(ExperimentTest):
         self.addCleanup(fake.stop)
         return fake
 
-    def true_fingerprint(self):
+    def first_announcement(self):
         heard = self.listen(self.namespace + '/simulators', SimulatorAnnouncement)
-        return wait_until(lambda: heard, 'a simulator announces itself')[0].engine_fingerprint
+        return wait_until(lambda: heard, 'a simulator announces itself')[0]
 
     def test_a_simulator_is_killed_in_mid_batch_and_another_joins_late(self):
         evolver = self.start_evolver(lifetime=1.0, generations=2)
@@ -94,7 +94,7 @@ class FaultsTest(ExperimentTest):
         honest = self.start_simulator()
         hang = threading.Event()
         self.addCleanup(hang.set)
-        self.fake_simulator('slow', self.true_fingerprint(),
+        self.fake_simulator('slow', self.first_announcement().engine_fingerprint,
                             lambda request: nonsense(request) if not request.genomes or hang.wait(60.0) else [])
         honest.signal(signal.SIGSTOP)
         wait_until(lambda: evolver.said('/slow (host elsewhere, process 1, scalar): no answer within 1 s'),
@@ -124,7 +124,7 @@ class FaultsTest(ExperimentTest):
     def test_nonsense_is_not_believed(self):
         evolver = self.start_evolver()
         honest = self.start_simulator()
-        fingerprint = self.true_fingerprint()
+        fingerprint = self.first_announcement().engine_fingerprint
         honest.signal(signal.SIGSTOP)
         liar = self.fake_simulator('liar', fingerprint, nonsense)
         wait_until(lambda: evolver.said('/liar (host elsewhere, process 1, scalar): an evaluation of 9/9 where that of'),
@@ -133,6 +133,42 @@ class FaultsTest(ExperimentTest):
         self.wait_for_success(evolver)
         self.assertTrue(any(request.genomes for request in liar.requests))
         self.assertEqual(self.digest(), self.undisturbed_digest())
+
+    def test_a_wrong_evaluation_is_found_and_its_simulator_quarantined(self):
+        evolver = self.start_evolver(checked_fraction=1.0, generations=60)
+        honest = self.start_simulator()
+        truth = self.first_announcement()
+
+        def wrong(request):
+            """As a simulator with a broken memory might answer: a bit differs, and everything looks right."""
+            answer = rospy.ServiceProxy(truth.service, EvaluateGenomes)(request)
+            for evaluation in answer.evaluations:
+                evaluation.state_hash ^= 1
+            return answer.evaluations
+        diagnostics = self.listen('/diagnostics', DiagnosticArray)
+        self.fake_simulator('liar', truth.engine_fingerprint, wrong)
+        wait_until(lambda: evolver.said('[ERROR] quarantined %s/liar (host elsewhere, process 1, scalar): its evaluation of '
+                                        'robot ' % self.namespace), 'the lie is noticed')
+        self.assertTrue(evolver.said('Look at the memory and the processor of host elsewhere'))
+        self.wait_for_success(evolver)
+        self.assertTrue(honest.running())
+        self.assertIn('/liar (host elsewhere, ', evolver.output().split('Simulators: ')[1], 'the summary at the end')
+        self.assertEqual(self.digest(), self.undisturbed_digest(generations=60))
+        levels = {status.level for array in diagnostics for status in array.status if status.name.endswith('/liar')}
+        self.assertIn(DiagnosticStatus.ERROR, levels)
+
+    def test_a_slow_simulators_work_is_done_by_others(self):
+        evolver = self.start_evolver(generations=60)
+        self.start_simulator()
+        truth = self.first_announcement()
+        hang = threading.Event()
+        self.addCleanup(hang.set)
+        self.fake_simulator('slow', truth.engine_fingerprint,
+                            lambda request: nonsense(request) if not request.genomes or hang.wait(60.0) else [])
+        wait_until(lambda: evolver.said('late: %s/slow (host elsewhere, process 1, scalar): no answer for ' % self.namespace),
+                   'it is found late')
+        self.wait_for_success(evolver)
+        self.assertEqual(self.digest(), self.undisturbed_digest(generations=60))
 
     def test_a_killed_evolver_goes_on_where_it_was(self):
         self.start_simulator()

@@ -22,6 +22,7 @@ struct Parameters
   int simulators = 0;                    ///< simulator nodes, or threads of the tool; 0: one a core [1]
   std::string instruction_set = "auto";  ///< "auto", "scalar", "avx2" or "avx512"
   double batch_timeout = 60.0;           ///< how long a simulator may take for a batch before it counts as lost [s]
+  double checked_fraction = 0.005;       ///< of evaluations that the evolver has made twice [1]
   double announcement_period = 0.5;      ///< how often a simulator announces itself [s]
 };
 

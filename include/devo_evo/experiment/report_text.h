@@ -3,8 +3,10 @@
 #include "devo_evo/archive/archive.h"
 #include "devo_evo/experiment/experiment.h"
 #include "devo_evo/experiment/settings.h"
+#include "devo_evo/farm/farm.h"
 
 #include <string>
+#include <vector>
 
 namespace devo_evo
 {
@@ -18,6 +20,10 @@ std::string durationText(double seconds);
 
 /// One line on a generation: trial, generation, best and median body lengths, evaluations per second, time left.
 std::string progressText(const GenerationReport& report, const ExperimentSettings& settings);
+
+/// Several lines, each with its end: how many evaluations the workers of each host made and what they do, and each
+/// worker that is late, lost, refused or quarantined, with the reason. Empty if there have been no workers.
+std::string workersText(const std::vector<WorkerStatus>& workers);
 
 /// Several lines, each with its end: where the results lie, what the best robot of all trials did, and the digest.
 std::string resultsText(const Archive& archive, const std::string& output);

@@ -28,14 +28,38 @@ struct EvaluationResult
   std::string worker;  ///< name of the worker that made it
 };
 
-/// What a worker of the farm is doing, for reports.
+/// What a worker of a farm is doing.
+enum class WorkerState
+{
+  CONNECTING,   ///< it has announced itself
+  IDLE,         ///< it waits for work
+  WORKING,      ///< it evaluates robots
+  LATE,         ///< it takes much longer than usual: others do its work, too
+  LOST,         ///< it broke off, took too long, fell silent, or answered nonsense; it may come back
+  REFUSED,      ///< it has another engine
+  QUARANTINED,  ///< it gave a wrong evaluation
+};
+
+/// A worker, for reports.
 struct WorkerStatus
 {
   std::string name;
-  std::string state;        ///< "idle", "working", "lost: why" or "refused: why"
-  bool usable = false;      ///< whether it takes work
-  int64_t evaluations = 0;  ///< results taken from it
+  std::string host;
+  WorkerState state = WorkerState::IDLE;
+  std::string reason;       ///< why it is late, lost, refused or quarantined, or was lost last
+  int64_t evaluations = 0;  ///< taken from it
+  int64_t checked = 0;      ///< of these, compared with those of another worker, and equal
+  int64_t losses = 0;       ///< how often it was lost
+
+  /// Whether it takes work.
+  bool usable() const
+  {
+    return state == WorkerState::IDLE || state == WorkerState::WORKING || state == WorkerState::LATE;
+  }
 };
+
+/// "working", or "lost: the connection failed".
+std::string stateText(const WorkerStatus& worker);
 
 /// Hands evaluations to workers: local threads or ROS simulators. Every request is answered exactly once, however
 /// workers come, go or fail; while there is none, requests wait. submit(), collect() and status() may be called from
