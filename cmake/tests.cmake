@@ -55,4 +55,13 @@ endif()
 if(DEVO_EVO_ROS)
   add_test(NAME repository.catkin_lint COMMAND catkin_lint --offline --strict ${CMAKE_CURRENT_SOURCE_DIR})
   add_subdirectory(test/rostest EXCLUDE_FROM_ALL)
+
+  # Farms that things happen to, with ROS masters and, where the machine allows it, networks of their own.
+  if(PYTHON3)
+    add_test(NAME chaos.hosts COMMAND ${PYTHON3} test/chaos/hosts_test.py)
+    add_test(NAME chaos.master COMMAND ${PYTHON3} test/chaos/master_test.py)
+    add_test(NAME chaos.short COMMAND ${PYTHON3} scripts/chaos --seconds 0 --build ${CMAKE_BINARY_DIR})
+    set_tests_properties(chaos.hosts chaos.master chaos.short PROPERTIES TIMEOUT 600 SKIP_RETURN_CODE 77
+      WORKING_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} ENVIRONMENT "BUILD_DIR=${CMAKE_BINARY_DIR}")
+  endif()
 endif()
