@@ -85,6 +85,18 @@ choose_port()
   fail "the ports from 11311 to 11410, of which the ROS master needs one, are all in use"
 }
 
+# Says what nodes are to preload to listen on this machine only (src/nodes/loopback.cpp).
+keep_to_loopback()
+{
+  local library
+  library=$(readlink -f "$BUILD_DIR")/devel/lib/libdevo_evo_loopback.so
+  if [[ $library == *[:\ ]* ]]; then
+    echo "run.sh: a space or colon in the path of the build folder: other machines can reach the nodes' XML-RPC ports" >&2
+  elif [ -e "$library" ]; then # not in builds with a sanitizer
+    echo "$library"
+  fi
+}
+
 # Copies standard error, but for roslaunch's alarm when the evolver, which it requires, has done its work and ends.
 pass_on_errors()
 {
@@ -107,7 +119,8 @@ launch()
   trap 'interrupt 143' TERM
   trap 'interrupt 129' HUP
   set -m # a process group of its own, so that Ctrl-C reaches it through the trap alone
-  roslaunch --port "$port" --no-summary --disable-title devo_evo experiment.launch "${arguments[@]}" \
+  LD_PRELOAD=$preload${LD_PRELOAD:+:$LD_PRELOAD} \
+    roslaunch --port "$port" --no-summary --disable-title devo_evo experiment.launch "${arguments[@]}" \
     </dev/null 2> >(pass_on_errors) &
   child=$!
   set +m
@@ -139,9 +152,10 @@ read_arguments "$@"
 "$repository/scripts/install_packages"
 "$repository/scripts/build"
 
-# Nodes talk to each other on this machine only, also where its host name does not resolve.
+# Nodes talk to each other on this machine only, also where its host name does not resolve. ROS 1 asks nobody who he is.
 export ROS_HOSTNAME=localhost
 unset ROS_IP
+preload=$(keep_to_loopback)
 choose_port
 export ROS_MASTER_URI=http://localhost:$port
 if [ "$port" != 11311 ]; then

@@ -17,3 +17,10 @@ endforeach()
 # Where rosrun and roslaunch look for programs.
 set_target_properties(evolver simulator simulators study devo_evo_cli PROPERTIES
   RUNTIME_OUTPUT_DIRECTORY ${CATKIN_DEVEL_PREFIX}/lib/${PROJECT_NAME})
+
+# What run.sh preloads. A sanitizer's runtime must come first, so a build with one goes without.
+if(NOT DEVO_EVO_SANITIZE)
+  add_library(devo_evo_loopback MODULE src/nodes/loopback.cpp)
+  target_link_libraries(devo_evo_loopback PRIVATE ${CMAKE_DL_LIBS})
+  set_target_properties(devo_evo_loopback PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${CATKIN_DEVEL_PREFIX}/lib)
+endif()

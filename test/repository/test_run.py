@@ -43,6 +43,20 @@ def program_of(process):
         return ""
 
 
+def listening_addresses(processes):
+    """Addresses on which processes wait for connections, as /proc/net writes them: "0100007F" is 127.0.0.1."""
+    sockets = set()
+    for process in processes:
+        try:
+            sockets |= {os.readlink(link) for link in pathlib.Path(f"/proc/{process}/fd").iterdir()}
+        except OSError:  # it has ended meanwhile
+            continue
+    lines = [line.split() for table in ("tcp", "tcp6")
+             for line in pathlib.Path("/proc/net", table).read_text(encoding="ascii").splitlines()[1:]]
+    listening = "0A"
+    return [words[1].split(":")[0] for words in lines if words[3] == listening and f"socket:[{words[9]}]" in sockets]
+
+
 class RunTest(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -126,6 +140,17 @@ class RunTest(unittest.TestCase):
             output, _ = process.communicate(timeout=60)
             self.assertEqual(process.returncode, expected, output)
             self.assertEqual([program_of(child) for child in started if program_of(child)], [])
+
+    def test_other_machines_cannot_connect(self):
+        process = self.start(*ENDLESS, "output:=results")
+        self.await_file(self.here / "results/experiment.db")
+        addresses = listening_addresses(descendants(process.pid))
+        process.send_signal(signal.SIGINT)
+        process.communicate(timeout=60)
+        self.assertGreater(len(addresses), 4, "those of the master, of roslaunch, and two of each node")
+        built_with_sanitizer = not list(pathlib.Path(os.environ["BUILD_DIR"]).glob("devel/lib/libdevo_evo_loopback.so"))
+        if not built_with_sanitizer:
+            self.assertEqual(set(addresses), {"0100007F"})
 
     def test_an_evolver_that_is_killed_is_a_failure(self):
         process = self.start(*ENDLESS, "output:=results")
