@@ -143,6 +143,19 @@ class FuzzAndSanitizeArgumentsTest(unittest.TestCase):
         self.assertEqual((result.returncode, result.stdout), (2, ""))
         self.assertIn("address or thread", result.stderr)
 
+    def test_what_tries_the_farm_explains_itself(self):
+        for name, option in (("chaos", "--seed"), ("soak", "--generations"), ("benchmark_farm", "--simulators")):
+            result = self.run_script(name, "--help")
+            self.assertEqual((result.returncode, result.stderr), (0, ""))
+            self.assertIn(f"scripts/{name} [", result.stdout)
+            self.assertIn(option, result.stdout)
+            self.assertEqual(self.run_script(name, "--faster").returncode, 2)
+
+    def test_chaos_needs_programs(self):
+        result = self.run_script("chaos", "--build", "/nonexistent")
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("there is no evolver in /nonexistent", result.stderr)
+
     def test_every_fuzz_target_has_a_corpus_and_every_corpus_a_target(self):
         sources = [path for path in (REPOSITORY / "test/fuzz").glob("**/*.cpp") if path.stem != "replay"]
         corpora = [path for path in (REPOSITORY / "test/fuzz/corpus").iterdir() if any(path.iterdir())]

@@ -1,13 +1,15 @@
 #!/usr/bin/python3
 """Experiments by launch files: their results, their arguments, their end."""
 
+import os
 import signal
 import sys
 
+import roslib.packages
 import rospy
 import rostest
 
-from devo_evo_testing import SMALL, ExperimentTest, wait_until
+from devo_evo_testing import SMALL, ExperimentTest, program, wait_until
 
 
 class LaunchTest(ExperimentTest):
@@ -41,6 +43,25 @@ class LaunchTest(ExperimentTest):
         launched = self.launch('experiment.launch', simulators=1, output=self.output, **arguments)
         self.wait_for_success(launched)
         self.assertEqual(self.digest(), self.undisturbed_digest(**arguments))
+
+    def test_a_farm_of_machines_gives_the_digest_of_evolve(self):
+        """Two names of this machine, to which roslaunch needs no ssh."""
+        launched = self.launch('farm.launch', machine_1='localhost', machine_2='127.0.0.1', simulators='none',
+                               simulators_each=1, **dict(SMALL, generations=60, output=self.output))
+        self.wait_for_success(launched)
+        self.assertEqual(launched.output().count(') joined'), 2, launched.output())
+        self.assertEqual(self.digest(), self.undisturbed_digest(generations=60))
+
+    def test_a_job_of_slurm_brings_simulators(self):
+        evolver = self.launch_experiment(simulators='none', generations=60)
+        package = os.path.dirname(os.path.dirname(os.path.realpath(
+            roslib.packages.find_resource('devo_evo', 'simulators.sbatch')[0])))
+        setup = os.path.join(os.path.dirname(program('devo_evo')), '../../setup.bash')
+        self.start('env', 'SLURM_JOB_ID=17', 'SLURM_CPUS_PER_TASK=2', 'DEVO_EVO=' + package, 'DEVO_EVO_SETUP=' + setup,
+                   'DEVO_EVO_NS=' + self.namespace[1:], 'bash', os.path.join(package, 'launch/simulators.sbatch'))
+        self.wait_for_success(evolver)
+        self.assertEqual(evolver.output().count(') joined'), 2, evolver.output())
+        self.assertEqual(self.digest(), self.undisturbed_digest(generations=60))
 
     def test_wrong_arguments_stop_the_start_with_a_message(self):
         for argument, value, message in (
