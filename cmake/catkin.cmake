@@ -13,6 +13,7 @@ endif()
 
 find_package(catkin REQUIRED COMPONENTS diagnostic_msgs message_generation roscpp std_msgs std_srvs)
 
+catkin_python_setup()
 add_message_files(DIRECTORY msg)
 add_service_files(DIRECTORY srv)
 generate_messages(DEPENDENCIES std_msgs)

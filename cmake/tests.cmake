@@ -45,6 +45,18 @@ if(PYTHON3)
   endforeach()
 endif()
 
+# ---- the Python module -------------------------------------------------------------------------------------------
+file(GLOB analysis_tests CONFIGURE_DEPENDS test/analysis/test_*.py)
+if(PYTHON3)
+  foreach(source ${analysis_tests})
+    get_filename_component(name ${source} NAME_WE)
+    string(REPLACE test_ analysis. name ${name})
+    add_test(NAME ${name} COMMAND ${PYTHON3} -W error::RuntimeWarning ${source})
+    set_tests_properties(${name} PROPERTIES TIMEOUT 600
+      ENVIRONMENT "PYTHONPATH=${CMAKE_CURRENT_SOURCE_DIR}/src;DEVO_EVO_TOOL=$<TARGET_FILE:devo_evo_cli>")
+  endforeach()
+endif()
+
 find_program(CLANG_FORMAT clang-format-14)
 if(CLANG_FORMAT) # not in packages.txt: large, and of use to developers only
   file(GLOB_RECURSE formatted CONFIGURE_DEPENDS include/*.h src/*.h src/*.cpp test/*.h test/*.cpp)

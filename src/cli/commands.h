@@ -29,4 +29,6 @@ void addInfoCommand(CLI::App& tool, Command& command);
 void addParametersCommand(CLI::App& tool, Command& command);
 void addRenderCommand(CLI::App& tool, Command& command);
 void addOverviewCommand(CLI::App& tool, Command& command);
+void addFiguresCommand(CLI::App& tool, Command& command);
+void addReportCommand(CLI::App& tool, Command& command);
 }  // namespace devo_evo

@@ -73,6 +73,8 @@ int run(int argc, char** argv)
   addParametersCommand(tool, command);
   addRenderCommand(tool, command);
   addOverviewCommand(tool, command);
+  addFiguresCommand(tool, command);
+  addReportCommand(tool, command);
   try
   {
     if (argc > 1 && argv[1][0] != '-')

@@ -1,0 +1,16 @@
+"""Every checkable claim of the paper, fixed before any data, and the verdict on it (docs/statistics.md)."""
+
+from . import beyond, canalization, evolvability, heterochrony, impact, sweep, walks
+from .base import ALPHA, Claim, Judgement, Outcome, Verdict, decide, judge, planned_trials
+
+CLAIMS = (
+    evolvability.CLAIMS
+    + canalization.CLAIMS
+    + walks.CLAIMS
+    + heterochrony.CLAIMS
+    + sweep.CLAIMS
+    + impact.CLAIMS
+    + beyond.CLAIMS
+)
+
+__all__ = ["ALPHA", "CLAIMS", "Claim", "Judgement", "Outcome", "Verdict", "decide", "judge", "planned_trials"]
