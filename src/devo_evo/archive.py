@@ -12,62 +12,13 @@ import numpy as np
 import pandas as pd
 
 from .caching import remembered
+from .columns import GENOME_COLUMNS, HASH_COLUMNS, INDIVIDUAL_COLUMNS, UNITS
 from .database import Database
 from .errors import ArchiveError, InvalidInput
 from .genomes import Genome
 
 APPLICATION_ID = 0x6465766F  # "devo"
 SCHEMA_VERSION = 1
-
-UNITS = {
-    "trial": "",
-    "id": "",
-    "parent": "",
-    "generation": "",
-    "age": "generations",
-    "valid": "",
-    "fitness": "body lengths",
-    "displacement_y_voxels": "voxels",
-    "displacement_xy_voxels": "voxels",
-    "first_top_contact_since_birth_s": "s",
-    "fell_over_since_birth_s": "s",
-    "turns": "full turns",
-    "airborne_fraction": "1",
-    "morphology_window": "1",
-    "control_window": "1",
-    "state_hash": "",
-    "phenotype_hash": "",
-    "genome_hash": "",
-    "champion": "",
-    "best_fitness": "body lengths",
-    "median_fitness": "body lengths",
-    "rank": "",
-    "ancestor": "",
-    "generations": "",
-    "finished": "",
-    "individuals": "",
-    "invalid": "",
-}
-
-INDIVIDUAL_COLUMNS = (
-    "trial",
-    "id",
-    "parent",
-    "generation",
-    "age",
-    "valid",
-    "fitness",
-    "displacement_y_voxels",
-    "displacement_xy_voxels",
-    "first_top_contact_since_birth_s",
-    "fell_over_since_birth_s",
-    "turns",
-    "airborne_fraction",
-    "morphology_window",
-    "control_window",
-)
-HASH_COLUMNS = ("state_hash", "phenotype_hash", "genome_hash")
-GENOME_COLUMNS = ("size_gene_initial", "size_gene_final", "phase_initial", "phase_final", "mutation_rate")
 
 
 @dataclasses.dataclass(frozen=True)

@@ -65,15 +65,13 @@ def cells(judgement):
         ours += f" (of {outcome.trials}: too few for a 95 % interval)"
     if outcome.missing:
         ours = (ours + "; " if ours else "") + f"no data: {outcome.missing}"
-    test = claim.test if outcome.test is None else f"{claim.test} ({outcome.test.name})"
-    test = claim.test if outcome.test is None or outcome.test.name.lower() in claim.test.lower() else test
     return (
         claim.statement,
         claim.where,
         claim.paper,
         claim.replication,
         ours,
-        test,
+        claim.test,
         probability(judgement),
         str(outcome.trials or "–"),
         judgement.verdict_text,
@@ -117,7 +115,7 @@ def introduction(study):
     lines += [
         f"A claim holds if its test rejects the null hypothesis at {ALPHA:g} after Holm's correction in its family, "
         "or if its interval lies where the claim puts it. It does not hold if its opposite was shown, or if there were "
-        f"enough trials (for {POWER:.0%} power at the effect assumed) and generations to show it. Else the verdict "
+        f"enough trials (for {100 * POWER:g} % power at the effect assumed) and generations to show it. Else the verdict "
         "says what there was too little of. Claims, tests and effects were fixed before any data: docs/statistics.md.",
         f"Replication: {REPLICATION}; its numbers belong to the profile released_code, as the paper's very likely do. "
         "n: independent units (trials, lineages or champions) of the smaller group.",
@@ -150,7 +148,7 @@ def markdown(study, judgements, drawings):
     lines += [
         "## How many trials it takes",
         "",
-        f"For {POWER:.0%} power at the level that Holm's correction leaves the claim at worst.",
+        f"For {100 * POWER:g} % power at the level that Holm's correction leaves the claim at worst.",
         "",
     ]
     lines += _table(("Claim", "Effect assumed", "Trials needed", "Trials there are"), power_rows(judgements))
@@ -196,7 +194,7 @@ def page(study, judgements, drawings):
         parts += [f"<h2>{html.escape(family.capitalize())}</h2>", _html_table(COLUMNS, rows)]
     parts += [
         "<h2>How many trials it takes</h2>",
-        f"<p>For {POWER:.0%} power at the level that Holm's correction leaves the claim at worst.</p>",
+        f"<p>For {100 * POWER:g} % power at the level that Holm's correction leaves the claim at worst.</p>",
         _html_table(
             ("Claim", "Effect assumed", "Trials needed", "Trials there are"),
             [(row, "#ffffff") for row in power_rows(judgements)],

@@ -13,7 +13,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import devo_evo  # noqa: E402
 from devo_evo import claims, statistics  # noqa: E402
 from devo_evo.claims import Outcome, Verdict, impact  # noqa: E402
-from synthetic import AS_CLAIMED, OPPOSITE, SyntheticStudy  # noqa: E402
+from synthetic_study import AS_CLAIMED, OPPOSITE, SyntheticStudy  # noqa: E402
 
 PLENTY = 10000  # trials
 

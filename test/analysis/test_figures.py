@@ -13,7 +13,8 @@ sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import devo_evo  # noqa: E402
 from devo_evo import figures, statistics  # noqa: E402
 from devo_evo.figures import canalization, discovery, walks  # noqa: E402
-from synthetic import AS_CLAIMED, Experiment, SyntheticStudy  # noqa: E402
+from synthetic import Experiment  # noqa: E402
+from synthetic_study import AS_CLAIMED, SyntheticStudy  # noqa: E402
 
 
 class FiguresTest(unittest.TestCase):

@@ -14,7 +14,8 @@ import xml.dom.minidom
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import devo_evo  # noqa: E402
 from devo_evo.claims import CLAIMS  # noqa: E402
-from synthetic import AS_CLAIMED, Experiment, SyntheticStudy  # noqa: E402
+from synthetic import Experiment  # noqa: E402
+from synthetic_study import AS_CLAIMED, SyntheticStudy  # noqa: E402
 
 
 def run_tool(*arguments, **environment):

@@ -1,11 +1,12 @@
 """Every checkable claim of the paper, fixed before any data, and the verdict on it (docs/statistics.md)."""
 
-from . import beyond, canalization, evolvability, heterochrony, impact, sweep, walks
+from . import beyond, canalization, elite, evolvability, heterochrony, impact, sweep, walks
 from .base import ALPHA, Claim, Judgement, Outcome, Verdict, decide, judge, planned_trials
 
 CLAIMS = (
     evolvability.CLAIMS
     + canalization.CLAIMS
+    + elite.CLAIMS
     + walks.CLAIMS
     + heterochrony.CLAIMS
     + sweep.CLAIMS

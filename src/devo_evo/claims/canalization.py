@@ -5,13 +5,12 @@ import pandas as pd
 
 from .. import power
 from ..statistics import Interval, against_neutral, equivalence_paired, mann_whitney, median_interval, signed_rank
-from .base import FAST, PAPER_GENERATIONS, ROLLING_GENERATIONS, Claim, Outcome, missing, within
+from .base import FAST, ROLLING_GENERATIONS, Claim, Outcome, missing, within
 from .evolvability import show
 
 FAMILY = "canalization"
 CONTROL_MARGIN = 0.1  # of W_Phi; about what drift alone raises it by
 NEAR_ZERO = 0.1  # W_L of a canalized body
-ELITE = 0.01  # share of a trial's designs that counts as the fastest
 WINDOWS = ("morphology_window", "control_window")
 
 
@@ -175,53 +174,18 @@ def _slow_lack_it(study):
     )
 
 
-def elite_windows(archive):
-    """Median windows of the fastest hundredth of each trial's designs minus those of all its designs."""
-    rows = {}
-    for trial in archive.horizon().trials:
-        designs = archive.individuals(trial, ("fitness", "phenotype_hash", *WINDOWS), valid_only=True)
-        designs = designs.drop_duplicates("phenotype_hash")
-        if designs.empty:
-            continue
-        elite = designs.nlargest(max(1, round(ELITE * len(designs))), "fitness")
-        rows[trial] = {window: elite[window].median() - designs[window].median() for window in WINDOWS}
-    return pd.DataFrame.from_dict(rows, orient="index", columns=list(WINDOWS))
-
-
-def _elite(window):
-    def measure(study):
-        archive = study.main("evo_devo")
-        if archive is None:
-            return missing("the main experiment, Evo-Devo")
-        differences = elite_windows(archive)[window]
-        interval = median_interval(differences)
-        common = {
-            "ours": f"fastest hundredth minus all designs {show(interval, 3)}",
-            "interval": interval,
-            "trials": len(differences),
-            "generations": archive.horizon().generation,
-        }
-        if window == "morphology_window":
-            return Outcome(test=signed_rank(-differences), against=signed_rank(differences).p, **common)
-        return Outcome(
-            test=equivalence_paired(differences, CONTROL_MARGIN),
-            refuted=interval.low > CONTROL_MARGIN or interval.high < -CONTROL_MARGIN,
-            **common,
-        )
-
-    return measure
-
-
-def _needed(alpha):
+def needed(alpha):
+    """Lineages or trials for a signed-rank test of EFFECT."""
     return power.signed_rank_trials(0.9, alpha)
 
 
-def _equivalence_needed(alpha):
+def equivalence_needed(alpha):
+    """Lineages or trials to show equivalence within CONTROL_MARGIN."""
     return power.equivalence_trials(CONTROL_MARGIN, 0.1, alpha)
 
 
 _DRIFT = "randomisation against neutral lineages of the same founder, length and mutation rates"
-_EFFECT = "P(sum of two differences > 0) = 0.9"
+EFFECT = "P(sum of two differences > 0) = 0.9"
 _NOT_GIVEN = "not given"
 
 CLAIMS = [
@@ -236,8 +200,8 @@ CLAIMS = [
         _DRIFT,
         _rise("morphology_window"),
         ROLLING_GENERATIONS,
-        plan=_needed,
-        planning=_EFFECT,
+        plan=needed,
+        planning=EFFECT,
     ),
     Claim(
         "window-fall",
@@ -250,8 +214,8 @@ CLAIMS = [
         _DRIFT,
         _fall("morphology_window"),
         ROLLING_GENERATIONS,
-        plan=_needed,
-        planning=_EFFECT,
+        plan=needed,
+        planning=EFFECT,
     ),
     Claim(
         "window-loss",
@@ -264,8 +228,8 @@ CLAIMS = [
         _DRIFT,
         _loss("morphology_window"),
         ROLLING_GENERATIONS,
-        plan=_needed,
-        planning=_EFFECT,
+        plan=needed,
+        planning=EFFECT,
     ),
     Claim(
         "window-near-zero",
@@ -290,7 +254,7 @@ CLAIMS = [
         f"equivalence (TOST, signed-rank), margin {CONTROL_MARGIN:g}",
         on_fast(_control_like_drift),
         final=True,
-        plan=_equivalence_needed,
+        plan=equivalence_needed,
         planning="no true difference, standard deviation 0.1",
     ),
     Claim(
@@ -304,8 +268,8 @@ CLAIMS = [
         "signed-rank, one-sided",
         on_fast(_differential),
         ROLLING_GENERATIONS,
-        plan=_needed,
-        planning=_EFFECT,
+        plan=needed,
+        planning=EFFECT,
     ),
     Claim(
         "slow-lack-it",
@@ -320,35 +284,5 @@ CLAIMS = [
         final=True,
         plan=lambda alpha: power.mann_whitney_trials(0.9, alpha, ratio=5.0),
         planning="P(fast > slow) = 0.9, five times as many fast ones",
-    ),
-    Claim(
-        "elite-body",
-        FAMILY,
-        "The fastest designs have small W_L.",
-        "Fig. 4B",
-        "qualitative",
-        _NOT_GIVEN,
-        "median W_L of the fastest hundredth of a trial's designs minus that of all its designs",
-        "signed-rank, one-sided",
-        _elite("morphology_window"),
-        PAPER_GENERATIONS,
-        final=True,
-        plan=_needed,
-        planning=_EFFECT,
-    ),
-    Claim(
-        "elite-control",
-        FAMILY,
-        "The fastest designs are free in W_Phi.",
-        "Fig. 4B",
-        "qualitative",
-        _NOT_GIVEN,
-        "the same of W_Phi",
-        f"equivalence (TOST, signed-rank), margin {CONTROL_MARGIN:g}",
-        _elite("control_window"),
-        PAPER_GENERATIONS,
-        final=True,
-        plan=_equivalence_needed,
-        planning="no true difference, standard deviation 0.1",
     ),
 ]

@@ -135,6 +135,7 @@ def _draw_velocities(axes, rows, colour):
             color=colour,
             linewidth=2.2 if kind == "fast" else 1.4,
             linestyle="-" if robot == "champion" else ":",
+            marker="o" if len(part) == 1 else None,
         )
         if robot == "champion":
             label = f"run {int(part['trial'].iloc[0])}" + ("" if kind == "fast" else "\u2217")

@@ -8,6 +8,7 @@ from . import style
 
 TITLE = "Evolvability and development (Fig. 3)"
 POINTS = 400  # of a curve; more cannot be told apart
+BASELINES = {"random_search": (":", "random search"), "neutral": ("--", "neutral drift")}  # line, label
 BARS = (("evo", "Evo"), ("evo_devo", "Evo-Devo"), ("removed", "Evo-Devo\nremoved"))
 
 
@@ -105,23 +106,20 @@ def draw(study):
 
 def _draw_curves(axes, rows):
     last = rows["x"].max() if len(rows) else 10000
-    for series, part in rows.groupby("series", sort=False):
-        if series in style.TREATMENT_COLOUR:
-            style.band(axes, part, style.TREATMENT_COLOUR[series], style.TREATMENT_LABEL[series])
+    for series in sorted(rows["series"].unique(), key=lambda name: (" " in name, name)):  # baselines last
+        part = rows[rows["series"] == series]
+        treatment, _, baseline = series.partition(" ")
+        colour, label = style.TREATMENT_COLOUR[treatment], style.TREATMENT_LABEL[treatment]
+        if baseline:
+            line, words = BASELINES[baseline]
+            axes.plot(part["x"], part["median"], color=colour, linewidth=1.3, linestyle=line, label=f"{label}, {words}")
         else:
-            axes.plot(
-                part["x"],
-                part["median"],
-                color="0.45",
-                linewidth=1.3,
-                label=series.replace("_", " "),
-                linestyle=":" if "random" in series else "--",
-            )
+            style.band(axes, part, colour, label)
     axes.set_xlabel("Generation")
     axes.set_xlim(-0.005 * last, max(last, 1))
     _fitness_axis(axes, rows["high"].max() if len(rows) else 0.0)
     if len(rows):
-        axes.legend(loc="upper left")
+        axes.legend(loc="upper left", fontsize=10 if rows["series"].nunique() > 2 else 12)
     else:
         style.no_data(axes, "no finished generation")
 

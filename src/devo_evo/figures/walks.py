@@ -97,10 +97,12 @@ def draw(study):
         axis.set_xlabel(X_LABEL[space])
         axis.set_ylabel("Relative fitness")
         style.panel_letter(axis, panel, x=-0.08)
-        if len(missing) < len(parts):
-            axis.legend(loc="center right")
-        if missing:
+        if len(missing) == len(parts):
             style.no_data(axis, "no walks of " + " and ".join(missing))
+            continue
+        for label in missing:
+            axis.plot([], [], color="none", label=f"no walks of {label}")
+        axis.legend(loc="center right")
     notes = study.notes("evo", "evo_devo")
     if len(table):
         notes.append(

@@ -1,0 +1,51 @@
+"""Columns of the archive's tables (docs/archive.md), and their units."""
+
+UNITS = {
+    "trial": "",
+    "id": "",
+    "parent": "",
+    "generation": "",
+    "age": "generations",
+    "valid": "",
+    "fitness": "body lengths",
+    "displacement_y_voxels": "voxels",
+    "displacement_xy_voxels": "voxels",
+    "first_top_contact_since_birth_s": "s",
+    "fell_over_since_birth_s": "s",
+    "turns": "full turns",
+    "airborne_fraction": "1",
+    "morphology_window": "1",
+    "control_window": "1",
+    "state_hash": "",
+    "phenotype_hash": "",
+    "genome_hash": "",
+    "champion": "",
+    "best_fitness": "body lengths",
+    "median_fitness": "body lengths",
+    "rank": "",
+    "ancestor": "",
+    "generations": "",
+    "finished": "",
+    "individuals": "",
+    "invalid": "",
+}
+
+INDIVIDUAL_COLUMNS = (
+    "trial",
+    "id",
+    "parent",
+    "generation",
+    "age",
+    "valid",
+    "fitness",
+    "displacement_y_voxels",
+    "displacement_xy_voxels",
+    "first_top_contact_since_birth_s",
+    "fell_over_since_birth_s",
+    "turns",
+    "airborne_fraction",
+    "morphology_window",
+    "control_window",
+)
+HASH_COLUMNS = ("state_hash", "phenotype_hash", "genome_hash")
+GENOME_COLUMNS = ("size_gene_initial", "size_gene_final", "phase_initial", "phase_final", "mutation_rate")
