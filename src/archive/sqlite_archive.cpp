@@ -31,10 +31,10 @@ SqliteArchive::~SqliteArchive()
   }
 }
 
-void SqliteArchive::commitGeneration(const GenerationRecord& record)
+void SqliteArchive::commitGenerations(const std::vector<GenerationRecord>& records)
 {
   checkWritable();
-  working([&] { write(record); });
+  working([&] { write(records); });
 }
 
 std::optional<Evaluation> SqliteArchive::findEvaluation(const Hash128& phenotype_hash) const
@@ -161,10 +161,13 @@ void SqliteArchive::noteStop() noexcept
   }
 }
 
-void SqliteArchive::write(const GenerationRecord& record)
+void SqliteArchive::write(const std::vector<GenerationRecord>& records)
 {
   SQLite::Transaction transaction(connection_.database(), SQLite::TransactionBehavior::IMMEDIATE);
-  insertGeneration(connection_, record, settings_.evolution.phaseLimit());
+  for (const GenerationRecord& record : records)
+  {
+    insertGeneration(connection_, record, settings_.evolution.phaseLimit());
+  }
   transaction.commit();
 }
 

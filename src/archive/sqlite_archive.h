@@ -17,7 +17,7 @@ public:
   SqliteArchive(const std::string& output, Connection connection, std::unique_ptr<WriterLock> lock);
   ~SqliteArchive() override;
 
-  void commitGeneration(const GenerationRecord& record) override;
+  void commitGenerations(const std::vector<GenerationRecord>& records) override;
   std::optional<Evaluation> findEvaluation(const Hash128& phenotype_hash) const override;
   std::map<int64_t, TrialState> trialStates() const override;
   ArchivedIndividual readIndividual(int64_t trial, int64_t id) const override;
@@ -55,7 +55,7 @@ private:
 
   void checkWritable() const;
   void noteStop() noexcept;
-  void write(const GenerationRecord& record);
+  void write(const std::vector<GenerationRecord>& records);
   TrialState stateOf(int64_t trial) const;
   Individual survivor(int64_t trial, int64_t id, int64_t generation) const;
   std::vector<ArchivedIndividual> descent(int64_t trial, int64_t id, bool all_ancestors) const;

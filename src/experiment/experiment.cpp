@@ -66,6 +66,7 @@ public:
         advance(progress);
         wait = wait && !readyToSelect(progress);
       }
+      commitFinished();
       for (const EvaluationResult& result : experiment_.farm_.collect(std::chrono::milliseconds(wait ? 100 : 0)))
       {
         take(result);
@@ -184,7 +185,7 @@ private:
   /// The next generation is handed to the farm before this one is committed, so that nobody idles while the disk works.
   void finishGeneration(Progress& progress)
   {
-    const GenerationRecord record = progress.trial.select();
+    GenerationRecord record = progress.trial.select();
     const Individual champion = progress.trial.individual(record.champion);
     const int64_t simulated = progress.simulated;
     progress.running = false;
@@ -192,18 +193,43 @@ private:
     {
       startGeneration(progress, evaluationsOf(record.newcomers));
     }
-    experiment_.archive_.commitGeneration(record);
-    --generations_left_;
-    generation_rate_.add(Clock::now(), 1);
-    experiment_.observer_.generationCommitted({ record, champion, simulated, total_evaluations_,
-                                                evaluation_rate_.rate(),
-                                                static_cast<double>(generations_left_) / generation_rate_.rate() });
+    finished_.push_back(std::move(record));
+    reports_.push_back({ champion, simulated });
   }
+
+  /// All trials' at once: a disk that must be sure of what it has written takes as long for one as for many.
+  void commitFinished()
+  {
+    if (finished_.empty())
+    {
+      return;
+    }
+    experiment_.archive_.commitGenerations(finished_);
+    for (size_t i = 0; i < finished_.size(); ++i)
+    {
+      --generations_left_;
+      generation_rate_.add(Clock::now(), 1);
+      experiment_.observer_.generationCommitted({ finished_[i], reports_[i].champion, reports_[i].simulated,
+                                                  total_evaluations_, evaluation_rate_.rate(),
+                                                  static_cast<double>(generations_left_) / generation_rate_.rate() });
+    }
+    finished_.clear();
+    reports_.clear();
+  }
+
+  /// What is to be told of a finished generation besides its record.
+  struct Report
+  {
+    Individual champion;
+    int64_t simulated;
+  };
 
   Experiment& experiment_;
   const ExperimentSettings& settings_;
-  std::map<int64_t, Progress> trials_;  ///< by number
-  int64_t generations_left_ = 0;        ///< to commit, in all trials
+  std::map<int64_t, Progress> trials_;      ///< by number
+  std::vector<GenerationRecord> finished_;  ///< selected and not committed yet
+  std::vector<Report> reports_;             ///< of these
+  int64_t generations_left_ = 0;            ///< to commit, in all trials
   int64_t total_evaluations_ = 0;
   RateMeter evaluation_rate_;
   RateMeter generation_rate_;

@@ -109,13 +109,19 @@ std::string workersText(const std::vector<WorkerStatus>& workers)
     text +=
         "    host " + host + ": " + toText(work.usable) + " at work, " + counted(work.evaluations, "evaluation") + "\n";
   }
+  constexpr int64_t most_named = 20;
+  int64_t in_trouble = 0;
   for (const WorkerStatus& worker : workers)
   {
-    if (inTrouble(worker))
+    if (inTrouble(worker) && ++in_trouble <= most_named)
     {
       text += "    " + worker.name + " (host " + worker.host + ", " + counted(worker.evaluations, "evaluation") + ") " +
               stateText(worker) + "\n";
     }
+  }
+  if (in_trouble > most_named)
+  {
+    text += "    and " + toText(in_trouble - most_named) + " more that are late, lost, refused or quarantined\n";
   }
   return text;
 }

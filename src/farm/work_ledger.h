@@ -45,6 +45,9 @@ public:
 
   void submit(std::vector<EvaluationRequest> requests);
 
+  /// How many robots there are in groups that are not complete, whatever has been done about them.
+  size_t open() const { return robots_.size(); }
+
   /// How many evaluations wait to be taken by somebody.
   size_t waiting() const { return queue_.size(); }
 

@@ -283,14 +283,14 @@ SimulatorRecord* SimulatorFarm::State::find(const SimulatorSession& session)
   return current ? &entry->second : nullptr;
 }
 
-/// As many robots as it simulates in lock-step, since they take hardly longer than one; but leaving some to every other
-/// simulator that has nothing to do.
+/// As many robots as it simulates in lock-step, since they take hardly longer than one; but no more than would leave
+/// nothing for other simulators, if all robots of the generations under way were dealt out at once. (What waits just
+/// now is no measure: with many trials it is little and soon more, and batches would become small for nothing.)
 size_t SimulatorFarm::State::batchSize(const SimulatorRecord& simulator) const
 {
-  const auto idle =
-      static_cast<size_t>(std::count_if(simulators_.begin(), simulators_.end(),
-                                        [](const auto& entry) { return entry.second.state == WorkerState::IDLE; }));
-  const size_t share = (ledger_.waiting() + idle - 1) / idle;
+  const auto usable = static_cast<size_t>(
+      std::count_if(simulators_.begin(), simulators_.end(), [](const auto& entry) { return entry.second.usable(); }));
+  const size_t share = (ledger_.open() + usable - 1) / usable;
   return std::min(share, static_cast<size_t>(simulator.announcement.lanes));
 }
 

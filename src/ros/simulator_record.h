@@ -34,7 +34,7 @@ struct SimulatorRecord
   const std::string& name() const { return announcement.name; }
 
   /// Whether it takes work.
-  bool usable() const { return status().usable(); }
+  bool usable() const { return devo_evo::usable(state); }
 
   /// Whether a session with it goes on.
   bool served() const { return usable() || state == WorkerState::CONNECTING; }

@@ -276,6 +276,24 @@ TEST_F(ArchiveTest, aGenerationWithoutAnyValidRobotHasNoNumbers)
   EXPECT_TRUE(std::isinf(evaluation.divergence->strain));
 }
 
+TEST_F(ArchiveTest, generationsOfSeveralTrialsAreCommittedTogetherOrNotAtAll)
+{
+  open();
+  std::vector<GenerationRecord> records;
+  for (const int64_t number : { 1, 2, 3 })
+  {
+    Trial trial(settings_.evolution, Lattice(settings_.body), number);
+    evaluateAll(trial);
+    records.push_back(trial.select());
+  }
+  std::vector<GenerationRecord> flawed = records;
+  flawed.back().newcomers.front().evaluation.reset();
+  EXPECT_THROW(archive_->commitGenerations(flawed), std::logic_error);
+  EXPECT_TRUE(archive_->trials().empty());
+  archive_->commitGenerations(records);
+  EXPECT_EQ(archive_->trials(), (std::vector<int64_t>{ 1, 2, 3 }));
+}
+
 TEST_F(ArchiveTest, onlyTheNextGenerationOfATrialIsTaken)
 {
   open();

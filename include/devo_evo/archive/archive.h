@@ -80,7 +80,8 @@ struct TrialExtent
   int64_t next_id = 0;    ///< the lowest id never given
 };
 
-/// An experiment's record: one SQLite file, `experiment.db` in the output folder, one transaction per generation.
+/// An experiment's record: one SQLite file, `experiment.db` in the output folder, one transaction per
+/// generation, or for several trials' that end at the same time.
 /// Schema and example queries: docs/archive.md. Many may read while one writes; a second writer is refused. Not
 /// thread-safe: one object per thread.
 class Archive
@@ -88,12 +89,15 @@ class Archive
 public:
   virtual ~Archive() = default;
 
-  /// Everything about a finished generation, in one transaction that survives a crash once this returns.
-  /// @throw ArchiveError if it cannot be written (disk full, file locked); nothing of the generation is kept then, and
-  /// it
-  ///        may be committed again. std::logic_error if it is not the one after the trial's last, if a newcomer lacks
-  ///        its evaluation, or if the archive was opened for reading.
-  virtual void commitGeneration(const GenerationRecord& record) = 0;
+  /// Everything about finished generations, each of another trial, in one transaction that survives a crash once this
+  /// returns.
+  /// @throw ArchiveError if it cannot be written (disk full, file locked); nothing of any of them is kept then, and
+  ///        they may be committed again. std::logic_error if one is not the one after its trial's last, if a newcomer
+  ///        lacks its evaluation, or if the archive was opened for reading.
+  virtual void commitGenerations(const std::vector<GenerationRecord>& records) = 0;
+
+  /// The same for one.
+  void commitGeneration(const GenerationRecord& record) { commitGenerations({ record }); }
 
   /// The evaluation (without velocity windows) of an individual with this phenotype, if one was committed in any trial.
   virtual std::optional<Evaluation> findEvaluation(const Hash128& phenotype_hash) const = 0;

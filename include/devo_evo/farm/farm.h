@@ -40,6 +40,12 @@ enum class WorkerState
   QUARANTINED,  ///< it gave a wrong evaluation
 };
 
+/// Whether a worker in this state takes work.
+constexpr bool usable(WorkerState state)
+{
+  return state == WorkerState::IDLE || state == WorkerState::WORKING || state == WorkerState::LATE;
+}
+
 /// A worker, for reports.
 struct WorkerStatus
 {
@@ -51,11 +57,7 @@ struct WorkerStatus
   int64_t checked = 0;      ///< of these, compared with those of another worker, and equal
   int64_t losses = 0;       ///< how often it was lost
 
-  /// Whether it takes work.
-  bool usable() const
-  {
-    return state == WorkerState::IDLE || state == WorkerState::WORKING || state == WorkerState::LATE;
-  }
+  bool usable() const { return devo_evo::usable(state); }
 };
 
 /// "working", or "lost: the connection failed".
