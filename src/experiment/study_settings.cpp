@@ -3,6 +3,7 @@
 #include "devo_evo/soft_body/settings.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace devo_evo
 {
@@ -14,11 +15,18 @@ struct NamedPart
   const char* name;
 };
 
+// In the order in which they run: what evolves champions goes before what is about them, and the longest last.
 constexpr NamedPart PARTS[] = {
-  { StudyPart::MAIN, "main" },         { StudyPart::REMOVED, "removed" },     { StudyPart::WALKS, "walks" },
-  { StudyPart::LINEAGES, "lineages" }, { StudyPart::TRACES, "traces" },       { StudyPart::ROBUSTNESS, "robustness" },
-  { StudyPart::IMPACT, "impact" },     { StudyPart::BASELINES, "baselines" }, { StudyPart::SWEEP, "sweep" },
+  { StudyPart::MAIN, "main" },
   { StudyPart::PARTIAL, "partial" },
+  { StudyPart::REMOVED, "removed" },
+  { StudyPart::WALKS, "walks" },
+  { StudyPart::LINEAGES, "lineages" },
+  { StudyPart::TRACES, "traces" },
+  { StudyPart::ROBUSTNESS, "robustness" },
+  { StudyPart::IMPACT, "impact" },
+  { StudyPart::BASELINES, "baselines" },
+  { StudyPart::SWEEP, "sweep" },
 };
 
 StudyPart parsePart(const std::string& name)
@@ -67,19 +75,21 @@ const std::vector<StudyPart>& studyParts()
 
 std::string toString(StudyPart part)
 {
-  return PARTS[static_cast<size_t>(part)].name;
+  return std::find_if(std::begin(PARTS), std::end(PARTS), [=](const NamedPart& each) { return each.part == part; })
+      ->name;
 }
 
 std::vector<StudyPart> parseStudyParts(const std::string& names)
 {
-  std::vector<StudyPart> parts;
+  std::vector<StudyPart> named;
   for (size_t begin = 0, end = 0; !names.empty() && end != std::string::npos; begin = end + 1)
   {
     end = names.find(',', begin);
-    parts.push_back(parsePart(names.substr(begin, end - begin)));
+    named.push_back(parsePart(names.substr(begin, end - begin)));
   }
-  std::sort(parts.begin(), parts.end());
-  parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
+  std::vector<StudyPart> parts;
+  std::copy_if(studyParts().begin(), studyParts().end(), std::back_inserter(parts),
+               [&](StudyPart part) { return std::find(named.begin(), named.end(), part) != named.end(); });
   return parts;
 }
 

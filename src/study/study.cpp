@@ -156,6 +156,10 @@ void validateStudy(const Parameters& parameters)
   {
     throw InvalidInput("a study chooses treatments and selection itself; leave treatment and selection out");
   }
+  if (!parameters.experiment.founders.empty())
+  {
+    throw InvalidInput("the founders of a study are random; leave founders out");
+  }
   robustnessWorlds(parameters.experiment.body, parameters.study);
 }
 

@@ -20,13 +20,30 @@ protected:
   Parameters study_ = smallStudy(folder_.path());
 };
 
-TEST_F(StudyTest, evolvesEveryArmAsAnOrdinaryExperiment)
+/// Tests that only look at a finished study share one.
+class FinishedStudyTest : public testing::Test
 {
-  const std::string said = runSmall(study_);
+protected:
+  static void SetUpTestSuite()
+  {
+    folder = new TemporaryFolder;
+    said = runSmall(smallStudy(folder->path()));
+  }
+  static void TearDownTestSuite() { delete folder; }
+
+  static double value(const std::string& sql) { return valueOf(folder->path(), sql); }
+
+  static inline TemporaryFolder* folder = nullptr;
+  static inline std::string said;
+};
+
+TEST_F(FinishedStudyTest, evolvedEveryArmAsAnOrdinaryExperiment)
+{
+  const Parameters study = smallStudy(folder->path());
   size_t arms = 0;
   for (const StudyPart part : { StudyPart::MAIN, StudyPart::BASELINES, StudyPart::SWEEP })
   {
-    for (const Arm& arm : armsOf(part, study_))
+    for (const Arm& arm : armsOf(part, study))
     {
       ++arms;
       TemporaryFolder alone;
@@ -37,7 +54,7 @@ TEST_F(StudyTest, evolvesEveryArmAsAnOrdinaryExperiment)
       {
         evolve(*archive, settings, trial, settings.generations);
       }
-      EXPECT_EQ(archive->digest(), openArchiveForReading(folder_.path() + "/" + arm.name)->digest()) << arm.name;
+      EXPECT_EQ(archive->digest(), openArchiveForReading(folder->path() + "/" + arm.name)->digest()) << arm.name;
       EXPECT_NE(said.find(arm.name + ": digest " + archive->digest() + "\n"), std::string::npos);
     }
   }
@@ -45,9 +62,8 @@ TEST_F(StudyTest, evolvesEveryArmAsAnOrdinaryExperiment)
   EXPECT_EQ(value("SELECT count(*) FROM arms"), 10);
 }
 
-TEST_F(StudyTest, makesEveryAnalysisOfEveryRunChampion)
+TEST_F(FinishedStudyTest, holdsEveryAnalysisOfEveryRunChampion)
 {
-  runSmall(study_);
   EXPECT_EQ(value("SELECT count(*) FROM champions"), 4);
   EXPECT_EQ(value("SELECT count(*) FROM champion_variants"), 2 * 9);  // Evo-Devo's
   // Two spaces; Evo has two kinds of walks, Evo-Devo three.
@@ -60,14 +76,13 @@ TEST_F(StudyTest, makesEveryAnalysisOfEveryRunChampion)
   EXPECT_EQ(value("SELECT count(*) FROM champion_ancestors WHERE id = champion"), 4);
 }
 
-TEST_F(StudyTest, keepsWhatWasSimulatedWithWhereItComesFrom)
+TEST_F(FinishedStudyTest, keepsWhatWasSimulatedWithWhereItComesFrom)
 {
-  runSmall(study_);
-  SQLite::Database database = openStudy(folder_.path());
+  SQLite::Database database = openStudy(folder->path());
   SQLite::Statement rows(database,
                          "SELECT trial, id, fitness, velocities, world FROM champion_robustness WHERE arm = "
                          "'main/evo_devo' AND name = 'slope=0.5'");
-  const auto archive = openArchiveForReading(folder_.path() + "/main/evo_devo");
+  const auto archive = openArchiveForReading(folder->path() + "/main/evo_devo");
   int seen = 0;
   while (rows.executeStep())
   {
@@ -86,12 +101,17 @@ TEST_F(StudyTest, keepsWhatWasSimulatedWithWhereItComesFrom)
             1);
 }
 
+TEST_F(FinishedStudyTest, hasRobotsThatDivergedWithoutResults)
+{
+  EXPECT_GT(value("SELECT count(*) FROM champion_walks WHERE NOT valid AND fitness IS NULL"), 0);
+}
+
 TEST_F(StudyTest, isTheSameHoweverOftenItIsStopped)
 {
-  TemporaryFolder other;
-  runSmall(smallStudy(other.path()));
+  TemporaryFolder undisturbed;
+  runSmall(smallStudy(undisturbed.path()));
   int stops = 0;
-  for (int64_t patience = 3;; patience += 2)  // a little farther every time
+  for (int64_t patience = 3;; patience += 4)  // a little farther every time
   {
     CountingObserver observer(patience);
     const auto make_farm = [](const SoftBodySettings& body) { return std::make_unique<MadeUpFarm>(body); };
@@ -102,11 +122,12 @@ TEST_F(StudyTest, isTheSameHoweverOftenItIsStopped)
     ++stops;
   }
   EXPECT_GT(stops, 5);
-  EXPECT_EQ(contentOfStudy(folder_.path()), contentOfStudy(other.path()));
+  EXPECT_EQ(contentOfStudy(folder_.path()), contentOfStudy(undisturbed.path()));
 }
 
 TEST_F(StudyTest, doesNothingTwice)
 {
+  study_.study.only = { StudyPart::MAIN, StudyPart::REMOVED, StudyPart::WALKS, StudyPart::LINEAGES, StudyPart::IMPACT };
   runSmall(study_);
   const double starts = value("SELECT count(*) FROM starts");
   const std::string content = contentOfStudy(folder_.path());
@@ -120,6 +141,7 @@ TEST_F(StudyTest, doesNothingTwice)
 
 TEST_F(StudyTest, growsAndIsAboutTheNewChampionsThen)
 {
+  study_.study.only = { StudyPart::MAIN, StudyPart::WALKS, StudyPart::LINEAGES, StudyPart::TRACES };
   runSmall(study_);
   study_.experiment.generations = 12;
   study_.study.walks = 3;
@@ -182,12 +204,6 @@ TEST_F(StudyTest, stopsWhenALineageDoesNotComeOutAsItsArchiveSays)
   study_.study.only = { StudyPart::LINEAGES };
   EXPECT_NE(messageOf<ArchiveError>([&] { runSmall(study_); }).find("ended otherwise when it was simulated again"),
             std::string::npos);
-}
-
-TEST_F(StudyTest, goesOnWithRobotsThatDiverge)
-{
-  runSmall(study_);
-  EXPECT_GT(value("SELECT count(*) FROM champion_walks WHERE NOT valid AND fitness IS NULL"), 0);
 }
 
 TEST_F(StudyTest, estimatesWhatIsLeft)
