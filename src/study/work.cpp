@@ -15,7 +15,8 @@ namespace
 {
 using Clock = RateMeter::Clock;
 
-constexpr size_t ENOUGH_UNDER_WAY = 256;  // robots: keeps every simulator busy
+constexpr size_t ENOUGH_UNDER_WAY = 256;           // robots: keeps every simulator busy
+constexpr std::ptrdiff_t SUBMITTED_TOGETHER = 64;  // robots
 constexpr auto LONGEST_UNWRITTEN = std::chrono::seconds(2);
 
 /// One call of doWork().
@@ -84,7 +85,13 @@ private:
     if (!requests.empty())
     {
       farm_ = farm_ ? std::move(farm_) : make_farm_(body_);
-      farm_->submit(std::move(requests));
+    }
+    // A farm may keep results back until all of what was submitted together is done.
+    for (auto begin = requests.begin(); begin != requests.end();)
+    {
+      const auto end = begin + std::min<std::ptrdiff_t>(SUBMITTED_TOGETHER, requests.end() - begin);
+      farm_->submit(std::vector<EvaluationRequest>(begin, end));
+      begin = end;
     }
     open.work = std::move(work);
     open.work.robots.clear();
