@@ -30,13 +30,7 @@ UNITS = {
     "invalid": "",
 }
 
-INDIVIDUAL_COLUMNS = (
-    "trial",
-    "id",
-    "parent",
-    "generation",
-    "age",
-    "valid",
+MEASURES = (  # of an evaluation, as numbers
     "fitness",
     "displacement_y_voxels",
     "displacement_xy_voxels",
@@ -44,8 +38,8 @@ INDIVIDUAL_COLUMNS = (
     "fell_over_since_birth_s",
     "turns",
     "airborne_fraction",
-    "morphology_window",
-    "control_window",
 )
+WINDOWS = ("morphology_window", "control_window")
+INDIVIDUAL_COLUMNS = ("trial", "id", "parent", "generation", "age", "valid") + MEASURES + WINDOWS
 HASH_COLUMNS = ("state_hash", "phenotype_hash", "genome_hash")
 GENOME_COLUMNS = ("size_gene_initial", "size_gene_final", "phase_initial", "phase_final", "mutation_rate")

@@ -10,6 +10,8 @@ import json
 
 import pandas as pd
 
+from . import columns
+from .columns import MEASURES
 from .errors import InvalidInput
 from .tool import run_tool
 
@@ -33,20 +35,7 @@ BODY_PARAMETERS = (
     "sideways_bend_test",
 )
 
-UNITS = {
-    "valid": "",
-    "displacement_y_voxels": "voxels",
-    "displacement_xy_voxels": "voxels",
-    "fitness": "body lengths",
-    "first_top_contact_since_birth_s": "s",
-    "fell_over_since_birth_s": "s",
-    "turns": "full turns",
-    "airborne_fraction": "1",
-    "velocity_body_lengths_per_s": "body lengths/s",
-    "state_hash": "",
-    "morphology_window": "1",
-    "control_window": "1",
-}
+UNITS = {"velocity_body_lengths_per_s": "body lengths/s", **columns.UNITS}
 
 
 def evaluate(genomes, parameters=None, threads=None):
@@ -76,20 +65,12 @@ def evaluate(genomes, parameters=None, threads=None):
     if threads is not None:
         options += ["--threads", str(threads)]
     if not genomes:
-        return pd.DataFrame(columns=list(UNITS)[:-2])
+        return pd.DataFrame(columns=["valid", *MEASURES, "velocity_body_lengths_per_s", "state_hash"])
     results = [json.loads(line) for line in run_tool(["evaluate", "-", *options], "\n".join(lines) + "\n").splitlines()]
     if len(results) != len(genomes):
         raise InvalidInput(f"{len(results)} evaluations came back for {len(genomes)} robots")
     frame = pd.DataFrame(results).drop(columns=["id", "verdict"], errors="ignore")
-    for column in (
-        "fitness",
-        "displacement_y_voxels",
-        "displacement_xy_voxels",
-        "first_top_contact_since_birth_s",
-        "fell_over_since_birth_s",
-        "turns",
-        "airborne_fraction",
-    ):
+    for column in MEASURES:
         frame[column] = frame[column].astype(float)
     frame.attrs["units"] = {column: UNITS[column] for column in frame}
     return frame

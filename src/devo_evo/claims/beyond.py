@@ -3,10 +3,10 @@
 import numpy as np
 
 from .. import power
-from ..statistics import equivalence_paired, mann_whitney, median_difference_interval, median_interval
+from ..statistics import median_difference_interval, median_interval
 from ..figures import walks as walk_figure
 from .base import FAST, Claim, Outcome, missing
-from .evolvability import show
+from .outcomes import equivalent, greater, show
 
 FAMILY = "beyond the paper"
 RETAINED_MARGIN = 0.1  # of relative fitness [1]
@@ -36,14 +36,7 @@ def _robust(study):
         f"{quantity} {show(median_difference_interval(*_split(study, quantity)))}"
         for quantity in ("friction", "gravity", "slope", "actuation_amplitude")
     )
-    return Outcome(
-        ours=f"difference of medians {show(interval)}; {parts}",
-        interval=interval,
-        test=mann_whitney(devo, evo),
-        against=mann_whitney(evo, devo).p,
-        trials=min(len(evo), len(devo)),
-        generations=generations,
-    )
+    return greater(devo, evo, interval, generations, f"difference of medians {show(interval)}; {parts}")
 
 
 def _split(study, quantity):
@@ -74,14 +67,13 @@ def _removed_walks(study):
         return Outcome(ours=f"no copies without development of at least {FAST:g} body lengths", generations=generations)
     differences = (champion - removed).dropna()
     interval = median_interval(differences)
-    return Outcome(
-        ours=f"{np.median(champion):.2f} with development, {np.median(removed):.2f} without; difference "
+    return equivalent(
+        differences,
+        RETAINED_MARGIN,
+        interval,
+        generations,
+        f"{np.median(champion):.2f} with development, {np.median(removed):.2f} without; difference "
         f"{show(interval)}",
-        interval=interval,
-        test=equivalence_paired(differences, RETAINED_MARGIN),
-        refuted=interval.low > RETAINED_MARGIN or interval.high < -RETAINED_MARGIN,
-        trials=len(differences),
-        generations=generations,
     )
 
 

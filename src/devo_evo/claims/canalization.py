@@ -4,9 +4,9 @@ import numpy as np
 import pandas as pd
 
 from .. import power
-from ..statistics import Interval, against_neutral, equivalence_paired, mann_whitney, median_interval, signed_rank
+from ..statistics import Interval, against_neutral, median_interval
 from .base import FAST, ROLLING_GENERATIONS, Claim, Outcome, missing, within
-from .evolvability import show
+from .outcomes import equivalent, greater, positive, show
 
 FAMILY = "canalization"
 CONTROL_MARGIN = 0.1  # of W_Phi; about what drift alone raises it by
@@ -128,13 +128,12 @@ def _control_like_drift(study, fast, generations):
     differences = fast["control_window_last"] - [np.median(values) for values in neutral]
     interval = median_interval(differences)
     founders = median_interval(fast["control_window_last"] - fast["control_window_founder"])
-    return Outcome(
-        ours=f"champion minus neutral median {show(interval, 3)}; minus its founder {show(founders, 3)}",
-        interval=interval,
-        test=equivalence_paired(differences, CONTROL_MARGIN),
-        refuted=interval.low > CONTROL_MARGIN or interval.high < -CONTROL_MARGIN,
-        trials=len(fast),
-        generations=generations,
+    return equivalent(
+        differences,
+        CONTROL_MARGIN,
+        interval,
+        generations,
+        f"champion minus neutral median {show(interval, 3)}; minus its founder {show(founders, 3)}",
     )
 
 
@@ -143,14 +142,7 @@ def _differential(_, fast, generations):
         fast["morphology_window_last"] - fast["morphology_window_founder"]
     )
     interval = median_interval(differences)
-    return Outcome(
-        ours=f"median change of W_Phi minus that of W_L {show(interval, 3)}",
-        interval=interval,
-        test=signed_rank(differences),
-        against=signed_rank(-differences).p,
-        trials=len(fast),
-        generations=generations,
-    )
+    return positive(differences, interval, generations, f"median change of W_Phi minus that of W_L {show(interval, 3)}")
 
 
 def _slow_lack_it(study):
@@ -163,14 +155,13 @@ def _slow_lack_it(study):
     if fast.empty or slow.empty:
         return Outcome(ours=f"{len(fast)} fast and {len(slow)} slow lineages", generations=generations)
     interval = Interval(float(fast.median() - slow.median()), float("nan"), float("nan"))
-    return Outcome(
-        ours=f"W_L of founder minus champion: {len(fast)} fast {fast.median():.3f}, {len(slow)} slow "
+    return greater(
+        fast,
+        slow,
+        interval,
+        generations,
+        f"W_L of founder minus champion: {len(fast)} fast {fast.median():.3f}, {len(slow)} slow "
         f"{slow.median():.3f}",
-        interval=interval,
-        test=mann_whitney(fast, slow),
-        against=mann_whitney(slow, fast).p,
-        trials=min(len(fast), len(slow)),
-        generations=generations,
     )
 
 

@@ -2,10 +2,10 @@
 
 import pandas as pd
 
-from ..statistics import equivalence_paired, median_interval, signed_rank
-from .base import PAPER_GENERATIONS, Claim, Outcome, missing
+from ..statistics import median_interval
+from .base import PAPER_GENERATIONS, Claim, missing
+from .outcomes import equivalent, positive, show
 from .canalization import CONTROL_MARGIN, EFFECT, FAMILY, WINDOWS, equivalence_needed, needed
-from .evolvability import show
 
 ELITE = 0.01  # share of a trial's designs that counts as the fastest
 
@@ -30,19 +30,11 @@ def _elite(window):
             return missing("the main experiment, Evo-Devo")
         differences = elite_windows(archive)[window]
         interval = median_interval(differences)
-        common = {
-            "ours": f"fastest hundredth minus all designs {show(interval, 3)}",
-            "interval": interval,
-            "trials": len(differences),
-            "generations": archive.horizon().generation,
-        }
+        generations = archive.horizon().generation
+        words = f"fastest hundredth minus all designs {show(interval, 3)}"
         if window == "morphology_window":
-            return Outcome(test=signed_rank(-differences), against=signed_rank(differences).p, **common)
-        return Outcome(
-            test=equivalence_paired(differences, CONTROL_MARGIN),
-            refuted=interval.low > CONTROL_MARGIN or interval.high < -CONTROL_MARGIN,
-            **common,
-        )
+            return positive(-differences, interval, generations, words)
+        return equivalent(differences, CONTROL_MARGIN, interval, generations, words)
 
     return measure
 

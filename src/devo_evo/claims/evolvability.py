@@ -5,9 +5,7 @@ import numpy as np
 from .. import power, survival
 from ..statistics import (
     Interval,
-    equivalence_paired,
     fisher_exact,
-    mann_whitney,
     median_difference_interval,
     median_interval,
     median_ratio_interval,
@@ -16,6 +14,7 @@ from ..statistics import (
 )
 from ..figures.survival import times_to_fast
 from .base import FAST, Claim, Outcome, missing, within
+from .outcomes import equivalent, greater, show
 
 FAMILY = "evolvability"
 REMOVED_MARGIN = 5.0  # a tenth of what Evo-Devo robots travel in the paper [body lengths]
@@ -61,13 +60,12 @@ def _fast_shares(evo, devo, generations):
 
 def _final_fitness(evo, devo, generations):
     interval = median_difference_interval(devo, evo)
-    return Outcome(
-        ours=f"medians {np.median(devo):.2f} and {np.median(evo):.2f}; difference {show(interval)} body lengths",
-        interval=interval,
-        test=mann_whitney(devo, evo),
-        against=mann_whitney(evo, devo).p,
-        trials=min(len(evo), len(devo)),
-        generations=generations,
+    return greater(
+        devo,
+        evo,
+        interval,
+        generations,
+        f"medians {np.median(devo):.2f} and {np.median(evo):.2f}; difference {show(interval)} body lengths",
     )
 
 
@@ -112,13 +110,8 @@ def _removed(study):
     champions = devo.run_champions()["fitness"]
     differences = (champions - removed["fitness"].reindex(champions.index)).dropna()
     interval = median_interval(differences)
-    return Outcome(
-        ours=f"median loss {show(interval)} body lengths",
-        interval=interval,
-        test=equivalence_paired(differences, REMOVED_MARGIN),
-        refuted=interval.low > REMOVED_MARGIN or interval.high < -REMOVED_MARGIN,
-        trials=len(differences),
-        generations=devo.horizon().generation,
+    return equivalent(
+        differences, REMOVED_MARGIN, interval, devo.horizon().generation, f"median loss {show(interval)} body lengths"
     )
 
 
@@ -129,14 +122,7 @@ def _removed_against_evo(study):
     evo = found[0].run_champions()["fitness"].dropna()
     values = removed["fitness"].dropna()
     ratio = median_ratio_interval(values, evo)
-    return Outcome(
-        ours=f"ratio of medians {show(ratio)}",
-        interval=ratio,
-        test=mann_whitney(values, evo),
-        against=mann_whitney(evo, values).p,
-        trials=min(len(values), len(evo)),
-        generations=found[2],
-    )
+    return greater(values, evo, ratio, found[2], f"ratio of medians {show(ratio)}")
 
 
 def _basins(evo, devo, generations):
@@ -158,11 +144,6 @@ def _basins(evo, devo, generations):
         trials=len(fitness_of_all),
         generations=generations,
     )
-
-
-def show(interval, digits=2):
-    """ "12.01 [11.39, 29.73]"."""
-    return f"{interval.estimate:.{digits}f} [{interval.low:.{digits}f}, {interval.high:.{digits}f}]"
 
 
 CLAIMS = [

@@ -4,10 +4,10 @@ import numpy as np
 import pandas as pd
 
 from .. import power
-from ..statistics import median_interval, signed_rank
+from ..statistics import median_interval
 from ..figures import discovery as figure
 from .base import FAST, ROLLING_GENERATIONS, Claim, Outcome, missing, within
-from .evolvability import show
+from .outcomes import positive, show
 
 FAMILY = "heterochrony"
 LATE, EARLY = 0.5, 0.1  # shares of a life: later is the end of life, earlier is at birth [1]
@@ -34,40 +34,21 @@ def _with_times(measure):
 def _late(times, lifetime, generations):
     interval = median_interval(times["first"])
     difference = times["first"] - LATE * lifetime
-    return Outcome(
-        ours=f"first ancestor to roll: at {show(interval)} s of {lifetime:g} s",
-        interval=interval,
-        test=signed_rank(difference),
-        against=signed_rank(-difference).p,
-        trials=len(times),
-        generations=generations,
+    return positive(
+        difference, interval, generations, f"first ancestor to roll: at {show(interval)} s of {lifetime:g} s"
     )
 
 
 def _early(times, lifetime, generations):
     interval = median_interval(times["champion"])
     difference = EARLY * lifetime - times["champion"]
-    return Outcome(
-        ours=f"run champion: at {show(interval)} s of {lifetime:g} s",
-        interval=interval,
-        test=signed_rank(difference),
-        against=signed_rank(-difference).p,
-        trials=len(times),
-        generations=generations,
-    )
+    return positive(difference, interval, generations, f"run champion: at {show(interval)} s of {lifetime:g} s")
 
 
 def _earlier(times, _, generations):
     difference = times["first"] - times["champion"]
     interval = median_interval(difference)
-    return Outcome(
-        ours=f"median {show(interval)} s earlier",
-        interval=interval,
-        test=signed_rank(difference),
-        against=signed_rank(-difference).p,
-        trials=len(times),
-        generations=generations,
-    )
+    return positive(difference, interval, generations, f"median {show(interval)} s earlier")
 
 
 def fast_lineages(study):
@@ -133,14 +114,12 @@ def _progenesis(study):
         return Outcome(ours=f"no run champion of at least {FAST:g} body lengths", generations=generations)
     difference = moved["progenesis"] - moved["neoteny"]
     interval = median_interval(difference)
-    return Outcome(
-        ours=f"median closed by progenesis {moved['progenesis'].median():.3f}, by neoteny "
+    return positive(
+        difference,
+        interval,
+        generations,
+        f"median closed by progenesis {moved['progenesis'].median():.3f}, by neoteny "
         f"{moved['neoteny'].median():.3f}; difference {show(interval, 3)}",
-        interval=interval,
-        test=signed_rank(difference),
-        against=signed_rank(-difference).p,
-        trials=len(moved),
-        generations=generations,
     )
 
 

@@ -6,10 +6,10 @@ import numpy as np
 
 from .. import power, survival
 from ..mutation_impact import LAMBDAS
-from ..statistics import TestResult, equivalence_independent, fisher_exact, mann_whitney, median_difference_interval
+from ..statistics import TestResult, equivalence_independent, fisher_exact, median_difference_interval
 from ..figures.survival import times_to_fast
 from .base import FAST, Claim, Outcome, missing
-from .evolvability import show
+from .outcomes import greater, show
 
 FAMILY = "sweep"
 TIME_MARGIN = 0.1  # share of the run's generations
@@ -84,14 +84,12 @@ def _best_beats_random(rate):
             return missing(f"the sweep at lambda = {name_of(rate)} (Evo-Devo) and 1 (Evo)")
         better, others = devo.run_champions()["fitness"].dropna(), random.run_champions()["fitness"].dropna()
         interval = median_difference_interval(better, others)
-        return Outcome(
-            ours=f"medians {better.median():.2f} and {others.median():.2f}; difference {show(interval)} body "
-            "lengths",
-            interval=interval,
-            test=mann_whitney(better, others),
-            against=mann_whitney(others, better).p,
-            trials=min(len(better), len(others)),
-            generations=min(devo.horizon().generation, random.horizon().generation),
+        return greater(
+            better,
+            others,
+            interval,
+            min(devo.horizon().generation, random.horizon().generation),
+            f"medians {better.median():.2f} and {others.median():.2f}; difference {show(interval)} body " "lengths",
         )
 
     return measure
@@ -130,13 +128,12 @@ def _refines(study):
         return missing("the whole sweep")
     low, high = low[low < FAST], high[high < FAST]
     interval = median_difference_interval(low, high)
-    return Outcome(
-        ours=f"slow run champions: difference of medians {show(interval)} body lengths",
-        interval=interval,
-        test=mann_whitney(low, high),
-        against=mann_whitney(high, low).p,
-        trials=min(len(low), len(high)),
-        generations=min(generations, others),
+    return greater(
+        low,
+        high,
+        interval,
+        min(generations, others),
+        f"slow run champions: difference of medians {show(interval)} body lengths",
     )
 
 

@@ -3,10 +3,10 @@
 import numpy as np
 
 from .. import power
-from ..statistics import mann_whitney, median_difference_interval, median_interval, signed_rank
+from ..statistics import median_difference_interval, median_interval
 from ..figures import walks as figure
 from .base import Claim, Outcome, missing
-from .evolvability import show
+from .outcomes import greater, positive, show
 
 FAMILY = "walks"
 HALF = 0.5  # of the champion's fitness: less is broken, more is most of it [1]
@@ -41,14 +41,7 @@ def _against_half(space, series, step, breaks):
             return Outcome(ours=f"no {NAMES[series]} run champions", generations=generations)
         interval = median_interval(values)
         difference = HALF - values if breaks else values - HALF
-        return Outcome(
-            ours=f"{show(interval)} of the fitness is left after step {at}",
-            interval=interval,
-            test=signed_rank(difference),
-            against=signed_rank(-difference).p,
-            trials=len(values),
-            generations=generations,
-        )
+        return positive(difference, interval, generations, f"{show(interval)} of the fitness is left after step {at}")
 
     return measure
 
@@ -66,14 +59,13 @@ def _more_left(space, more, less):
                 generations=generations,
             )
         interval = median_difference_interval(first, second)
-        return Outcome(
-            ours=f"{np.median(first):.2f} against {np.median(second):.2f} is left after step {step}; difference "
+        return greater(
+            first,
+            second,
+            interval,
+            generations,
+            f"{np.median(first):.2f} against {np.median(second):.2f} is left after step {step}; difference "
             f"{show(interval)}",
-            interval=interval,
-            test=mann_whitney(first, second),
-            against=mann_whitney(second, first).p,
-            trials=min(len(first), len(second)),
-            generations=generations,
         )
 
     return measure
