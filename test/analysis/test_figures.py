@@ -46,6 +46,7 @@ class FiguresTest(unittest.TestCase):
             "figS4",
             "fig_time_to_fast",
             "fig_robustness",
+            "fig_frozen",
         ):
             self.assertTrue({f"{name}.pdf", f"{name}.png", f"{name}.csv"} <= names, name)
 

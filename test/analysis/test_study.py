@@ -128,7 +128,7 @@ class StudyTest(unittest.TestCase):
         self.assertNotIn("control-breaks-evo", without)
 
     def test_figures_of_every_part_have_numbers(self):
-        for name in ("3", "4", "5", "S1", "S2", "S3", "S4", "time", "robustness"):
+        for name in ("3", "4", "5", "S1", "S2", "S3", "S4", "time", "robustness", "frozen"):
             self.assertFalse(figures.draw(name, self.study).numbers.empty, name)
 
 

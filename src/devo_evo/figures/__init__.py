@@ -5,7 +5,7 @@ import pathlib
 
 from ..errors import DevoEvoError, InvalidInput
 
-# By the number that the paper gives it; the last two are ours.
+# By the number that the paper gives it; the last three are ours.
 _MODULES = {
     "3": "fitness",
     "4": "canalization",
@@ -17,6 +17,7 @@ _MODULES = {
     "S4": "impact",
     "time": "survival",
     "robustness": "robustness",
+    "frozen": "frozen",
 }
 NAMES = tuple(_MODULES)
 
