@@ -31,7 +31,7 @@ const std::vector<FilmFormat>& filmFormats()
     { ".gif",
       { "-vf", "split[a][b];[a]palettegen=stats_mode=diff[p];[b][p]paletteuse=dither=bayer:bayer_scale=5", "-loop", "0",
         "-f", "gif" } },
-    { ".webp", { "-c:v", "libwebp_anim", "-quality", "72", "-compression_level", "6", "-loop", "0", "-f", "webp" } },
+    { ".webp", { "-c:v", "libwebp_anim", "-quality", "72", "-compression_level", "3", "-loop", "0", "-f", "webp" } },
   };
   return formats;
 }
