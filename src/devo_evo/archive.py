@@ -74,7 +74,7 @@ class Archive:
 
     @property
     def profile(self):
-        """ "paper" or "released_code"."""
+        """The name of the profile, "paper" or "released_code"."""
         return self._parameter("profile")
 
     @property
@@ -88,18 +88,16 @@ class Archive:
 
     def trials(self):
         """A row per trial: last finished generation, whether it is all that was asked for, robots, invalid ones."""
-        frame = self.sql("SELECT trial, max(generation) AS generations FROM generations GROUP BY trial")
-        frame["finished"] = frame["generations"] >= self.generations_asked_for
         counts = self.sql(
-            "SELECT trial, count(*) AS individuals, sum(NOT valid) AS invalid FROM individuals " "GROUP BY trial"
+            "SELECT trial, count(*) AS individuals, sum(NOT valid) AS invalid FROM individuals GROUP BY trial"
         )
-        return _with_units(frame.merge(counts, on="trial", how="left"))
+        return _with_units(self._progress().merge(counts, on="trial", how="left"))
 
     @remembered
     def horizon(self):
         """What can be compared: the trials that finished, at the generation asked for; before any has, all of them at
         the last generation that each has reached."""
-        trials = self.trials()
+        trials = self._progress()
         if trials.empty:
             return Horizon(-1, [], {})
         finished = trials[trials["finished"]]
@@ -217,6 +215,11 @@ class Archive:
                 f"archive {self.path}: the champion of generation {int(row.generation)} of trial {int(row.trial)} "
                 f"has fitness {row.best_fitness}, but {row.best} had been reached: selection lost its best"
             )
+
+    def _progress(self):
+        frame = self.sql("SELECT trial, max(generation) AS generations FROM generations GROUP BY trial")
+        frame["finished"] = frame["generations"] >= self.generations_asked_for
+        return frame
 
     def _parameter(self, name):
         if name not in self.parameters:

@@ -32,7 +32,7 @@ class Database:
         if self._connection.in_transaction:
             self._connection.execute("COMMIT")
         try:
-            # A snapshot of SQLite's log holds nobody up. Without a log nobody writes, and a lock would keep somebody from
+            # A snapshot of SQLite's log holds nobody up. Without a log nobody writes, and a lock would keep others from
             # beginning to: there it is enough to notice it.
             if self._pragma("journal_mode") == "wal":
                 self._connection.execute("BEGIN")

@@ -48,7 +48,7 @@ def check(study):
 
 
 def summary(judgements):
-    """ "12 of 45 claims hold, 3 do not, ..."."""
+    """How many claims got which verdict, in one sentence."""
     counts = {verdict: sum(1 for judgement in judgements if judgement.verdict is verdict) for verdict in Verdict}
     return (
         f"of {len(judgements)} claims {counts[Verdict.HOLDS]} hold, {counts[Verdict.DOES_NOT_HOLD]} do not; too few "

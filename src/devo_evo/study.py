@@ -90,7 +90,7 @@ class Study:
 
     @property
     def profile(self):
-        """ "paper" or "released_code"."""
+        """The name of the profile, "paper" or "released_code"."""
         return self.parameters.get("profile", "")
 
     def archive(self, arm):
@@ -273,5 +273,5 @@ class Study:
 
 
 def counted(number, noun):
-    """ "1 trial", "2 trials"."""
+    """For example "1 trial" or "2 trials"."""
     return f"{number} {noun}" + ("" if number == 1 else "s")

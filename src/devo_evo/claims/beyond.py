@@ -89,7 +89,7 @@ CLAIMS = [
         "Discussion",
         "conjectured",
         "not given",
-        "relative fitness of run champions, mean over changed friction, gravity, slope and " "actuation amplitude",
+        "relative fitness of run champions, mean over changed friction, gravity, slope and actuation amplitude",
         "Mann-Whitney U, one-sided",
         _robust,
         final=True,
@@ -99,7 +99,7 @@ CLAIMS = [
     Claim(
         "rolling-not-development",
         FAMILY,
-        "It is rolling, not development, that makes fast robots robust to control " "mutations.",
+        "It is rolling, not development, that makes fast robots robust to control mutations.",
         "not in the paper",
         "not asked",
         "not given",

@@ -187,7 +187,7 @@ CLAIMS = [
         "Fig. 4A, S1",
         "maximum over founder, p < 0.001",
         _NOT_GIVEN,
-        "maximum of W_L in the lineage minus the founder's, beside neutral " "lineages",
+        "maximum of W_L in the lineage minus the founder's, beside neutral lineages",
         _DRIFT,
         _rise("morphology_window"),
         ROLLING_GENERATIONS,

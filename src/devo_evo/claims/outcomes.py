@@ -41,5 +41,5 @@ def equivalent(differences, margin, interval, generations, ours):
 
 
 def show(interval, digits=2):
-    """ "12.01 [11.39, 29.73]"."""
+    """An interval as the report shows it, such as "12.01 [11.39, 29.73]"."""
     return f"{interval.estimate:.{digits}f} [{interval.low:.{digits}f}, {interval.high:.{digits}f}]"

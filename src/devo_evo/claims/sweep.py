@@ -38,7 +38,7 @@ def _both(measure):
 
 
 def name_of(rate):
-    """ "1/6"."""
+    """The rate as a fraction, such as "1/6"."""
     return str(Fraction(rate).limit_denominator(48))
 
 
@@ -89,7 +89,7 @@ def _best_beats_random(rate):
             others,
             interval,
             min(devo.horizon().generation, random.horizon().generation),
-            f"medians {better.median():.2f} and {others.median():.2f}; difference {show(interval)} body " "lengths",
+            f"medians {better.median():.2f} and {others.median():.2f}; difference {show(interval)} body lengths",
         )
 
     return measure
@@ -145,7 +145,7 @@ def _sooner_claim(rate):
         "S3",
         "qualitative",
         "not given",
-        "generations to a best fitness of 30 body lengths, trials that never did " "censored",
+        "generations to a best fitness of 30 body lengths, trials that never did censored",
         "log-rank, one-sided",
         _both(_sooner)(rate),
         plan=lambda alpha: power.log_rank_trials(4.0, 0.5, alpha),

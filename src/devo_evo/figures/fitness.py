@@ -116,6 +116,7 @@ def _draw_curves(axes, rows):
         else:
             style.band(axes, part, colour, label)
     axes.set_xlabel("Generation")
+    axes.xaxis.get_major_locator().set_params(integer=True)
     axes.set_xlim(-0.005 * last, max(last, 1))
     _fitness_axis(axes, rows["high"].max() if len(rows) else 0.0)
     if len(rows):
