@@ -29,6 +29,8 @@ Arguments and their defaults:
     founders:=                     file of robots that every trial starts with
     output:=                       folder of the results; without one,
                                    ~/devo_evo/<treatment>-...-seed-<seed>
+    rviz:=false                    true: rviz shows the best robot so far
+    record:=false                  true: everything goes to a bag in output
     config:=                       YAML file with any parameter; these arguments
                                    go before it (config/experiment.yaml)
     ns:=devo_evo                   namespace of nodes, topics and services

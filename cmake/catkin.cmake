@@ -11,7 +11,9 @@ if(NOT CATKIN_DEVEL_PREFIX)
   file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/devel/lib/python3/dist-packages)
 endif()
 
-find_package(catkin REQUIRED COMPONENTS diagnostic_msgs message_generation roscpp std_msgs std_srvs)
+find_package(catkin REQUIRED COMPONENTS
+  diagnostic_msgs geometry_msgs message_generation rosbag_storage roscpp std_msgs std_srvs tf2_ros topic_tools
+  visualization_msgs)
 
 catkin_python_setup()
 add_message_files(DIRECTORY msg)
@@ -23,5 +25,6 @@ find_library(SQLITECPP_LIBRARIES SQLiteCpp REQUIRED)
 catkin_package(
   INCLUDE_DIRS include
   LIBRARIES ${PROJECT_NAME}_core
-  CATKIN_DEPENDS diagnostic_msgs message_runtime roscpp std_msgs std_srvs
+  CATKIN_DEPENDS diagnostic_msgs geometry_msgs message_runtime rosbag_storage roscpp std_msgs std_srvs tf2_ros topic_tools
+    visualization_msgs
   DEPENDS EIGEN3 OPENSSL SQLITECPP SQLite3 YAML_CPP)

@@ -6,16 +6,17 @@ add_dependencies(devo_evo_ros ${PROJECT_NAME}_generate_messages_cpp)
 target_include_directories(devo_evo_ros PUBLIC include src)
 target_link_libraries(devo_evo_ros PUBLIC devo_evo_core ${catkin_LIBRARIES})
 
-foreach(node evolver simulator simulators study)
+set(nodes evolver simulator simulators player recorder study)
+foreach(node ${nodes})
   add_executable(${node} src/nodes/${node}.cpp)
   target_link_libraries(${node} PRIVATE devo_evo_ros)
 endforeach()
-foreach(target devo_evo_ros evolver simulator simulators study)
+foreach(target devo_evo_ros ${nodes})
   target_include_directories(${target} SYSTEM PRIVATE ${catkin_INCLUDE_DIRS})
 endforeach()
 
 # Where rosrun and roslaunch look for programs.
-set_target_properties(evolver simulator simulators study devo_evo_cli PROPERTIES
+set_target_properties(${nodes} devo_evo_cli PROPERTIES
   RUNTIME_OUTPUT_DIRECTORY ${CATKIN_DEVEL_PREFIX}/lib/${PROJECT_NAME})
 
 # What run.sh preloads. A sanitizer's runtime must come first, so a build with one goes without.

@@ -19,6 +19,7 @@ const char* groupTitle(const std::string& group)
     { "farm", "Where robots are simulated" },
     { "nodes", "Nodes" },
     { "study", "Studies" },
+    { "player", "Player" },
   };
   return titles.at(group);
 }

@@ -198,6 +198,85 @@ ParameterSpec instructionSetSpec()
                   [](const Parameters& parameters) { return parameters.instruction_set; });
 }
 
+ParameterSpec recordSpec()
+{
+  const auto assign = [](Parameters& parameters, const ParameterValue& value)
+  {
+    const auto boolean = asBoolean(value);
+    parameters.record = boolean.value_or(parameters.record);
+    return boolean.has_value();
+  };
+  return makeSpec(
+      { "record", "nodes", "",
+        "Whether the evolver waits for a recorder before it begins, so that nothing is missing in the bag." },
+      "true or false", assign, [](const Parameters& parameters) { return parameters.record ? "true" : "false"; });
+}
+
+// ---- parameters of the player --------------------------------------------------------------------------------------
+
+ParameterSpec playerNumber(const BoundedField<PlayerParameters, double>& field, const std::string& unit,
+                           const std::string& description)
+{
+  return boundedSpec(
+      [](auto& parameters) -> auto& { return parameters.player; }, field, "player", unit, description);
+}
+
+/// Any text that passes a test; a whole number will do, too.
+ParameterSpec playerText(const std::string& name, std::string PlayerParameters::*field, const std::string& description,
+                         const std::string& allowed, bool (*is_allowed)(const std::string&))
+{
+  const auto assign = [=](Parameters& parameters, const ParameterValue& value)
+  {
+    const auto* const number = std::get_if<int64_t>(&value);
+    const auto text = number != nullptr ? toText(*number) : asText(value);
+    const bool good = text && is_allowed(*text);
+    if (good)
+    {
+      parameters.player.*field = *text;
+    }
+    return good;
+  };
+  return makeSpec({ name, "player", "", description }, allowed, assign,
+                  [=](const Parameters& parameters) { return parameters.player.*field; });
+}
+
+bool isGiven(const std::string& text)
+{
+  return !text.empty();
+}
+
+bool isFileName(const std::string& text)
+{
+  return text.empty() || text[0] == '/';
+}
+
+bool namesColouring(const std::string& text)
+{
+  const auto names = { "resting_length", "remaining_development", "phase", "present_length" };
+  return std::find(names.begin(), names.end(), text) != names.end();
+}
+
+std::vector<ParameterSpec> playerSpecs()
+{
+  return {
+    playerText("individual", &PlayerParameters::individual,
+               "Which robot to show: the best of all trials or the champion of a trial, both followed as they improve, "
+               "or one individual; with genome_file, the name of a robot in it (best: the first).",
+               "best, a trial like 3, or a trial and an id like 3/1042", isGiven),
+    playerText("genome_file", &PlayerParameters::genome_file,
+               "File of JSON lines (docs/tool.md, \"Genomes\") of which a robot is shown instead; empty: none.",
+               "the absolute path of a file", isFileName),
+    playerText("colour", &PlayerParameters::colour, "What the colours of voxels tell (docs/nodes.md, \"Colours\").",
+               "resting_length, remaining_development, phase or present_length", namesColouring),
+    playerNumber({ "speed", &PlayerParameters::speed, 0.001, 100.0 }, "", "Simulated time over real time."),
+    playerNumber({ "loop_pause", &PlayerParameters::loop_pause, 0.0, 3600.0 }, "s",
+                 "Pause between the end of a life and its next beginning."),
+    playerNumber({ "frame_rate", &PlayerParameters::frame_rate, 0.1, 200.0 }, "1/s", "Pictures a second."),
+    playerNumber({ "offset", &PlayerParameters::offset, -1000.0, 1000.0 }, "body lengths",
+                 "How far beside its true place, along x, the robot is shown: for several players side by side."),
+  };
+}
+
 // ---- the table -----------------------------------------------------------------------------------------------------
 
 std::vector<ParameterSpec> experimentSpecs()
@@ -304,14 +383,15 @@ std::vector<ParameterSpec> nodesSpecs()
                       "that compute wrongly. Results do not depend on it."),
     ownNumber<double>({ "announcement_period", &Parameters::announcement_period, 0.05, 60.0 }, "nodes", "s",
                       "How often a simulator announces itself."),
+    recordSpec(),
   };
 }
 
 std::vector<ParameterSpec> allSpecs()
 {
   std::vector<ParameterSpec> specs;
-  for (const auto& group :
-       { experimentSpecs(), evolutionSpecs(), bodySpecs(), physicsSpecs(), farmSpecs(), nodesSpecs(), studySpecs() })
+  for (const auto& group : { experimentSpecs(), evolutionSpecs(), bodySpecs(), physicsSpecs(), farmSpecs(),
+                             nodesSpecs(), studySpecs(), playerSpecs() })
   {
     specs.insert(specs.end(), group.begin(), group.end());
   }

@@ -177,11 +177,11 @@ std::string captionText(const ShownRobot& robot, const Evaluation& evaluation, d
   std::string first = robot.name;
   if (robot.descent)
   {
-    first += "   " + robot.descent->treatment + "   generation " + toText(robot.descent->generation) + "   age " +
+    first += ", " + robot.descent->treatment + ", generation " + toText(robot.descent->generation) + ", age " +
              toText(robot.descent->age);
   }
   const std::string fitness =
       evaluation.valid ? "fitness " + fixedText(evaluation.fitness, 2) + " body lengths" : "diverges";
-  return first + "\n" + fitness + "   " + fixedText(time_since_birth_s, 2) + " s";
+  return first + "\n" + fitness + ", " + fixedText(time_since_birth_s, 2) + " s";
 }
 }  // namespace devo_evo

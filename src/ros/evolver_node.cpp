@@ -3,8 +3,10 @@
 #include "devo_evo/experiment/build_info.h"
 #include "devo_evo/experiment/report_text.h"
 #include "devo_evo/soft_body/simulation.h"
+#include "devo_evo/soft_body/text.h"
 #include "ros/conversions.h"
 #include "ros/node_main.h"
+#include "ros/subscribers.h"
 
 #include <ros/common.h>
 #include <ros/console.h>
@@ -21,6 +23,8 @@ constexpr std::chrono::seconds DIAGNOSTICS_PERIOD{ 1 };
 constexpr std::chrono::seconds SHORTEST_PROGRESS{ 1 };  // between lines on progress, which become rarer
 constexpr std::chrono::seconds LONGEST_PROGRESS{ 60 };
 constexpr std::chrono::minutes FARM_REPORT_PERIOD{ 10 };
+constexpr uint32_t REPORT_QUEUE = 10000;  // more than a subscriber that is alive gets behind
+constexpr std::chrono::seconds LONGEST_WAIT_FOR_RECORDER{ 15 };
 constexpr double LAST_MESSAGES = 0.3;  // for how long subscribers can still be sent what was published last [s]
 
 /// The arguments say where results go; without one, a folder of the user's.
@@ -66,10 +70,12 @@ EvolverNode::EvolverNode(const Parameters& parameters, const ExperimentSettings&
   , idle_warning_(node_.resolveName("simulators"))
   , callbacks_(2)
 {
-  generation_ = node_.advertise<GenerationSummary>("generation", 100);
-  champion_ = node_.advertise<EvolvedRobot>("champion", 100, true);
-  best_publisher_ = node_.advertise<EvolvedRobot>("best", 1, true);
+  generation_ = node_.advertise<GenerationSummary>("generation", REPORT_QUEUE);
+  champion_ = node_.advertise<EvolvedRobot>("champion", REPORT_QUEUE, true);
+  best_publisher_ = node_.advertise<EvolvedRobot>("best", REPORT_QUEUE, true);
   diagnostics_ = node_.advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", 10);
+  evaluation_settings_ = node_.advertise<EvaluationSettings>("settings", 1, true);
+  evaluation_settings_.publish(toMsg(settings_.body));
   pause_ = node_.advertiseService("pause", &EvolverNode::pause, this);
   resume_ = node_.advertiseService("resume", &EvolverNode::resume, this);
   stop_ = node_.advertiseService("stop", &EvolverNode::stop, this);
@@ -81,7 +87,25 @@ EvolverNode::EvolverNode(const Parameters& parameters, const ExperimentSettings&
   status_.trials = settings_.trials;
   status_.generations = settings_.generations;
   status_.remaining_s = Evaluation::NONE;
+  if (parameters.record)
+  {
+    awaitRecorder();
+  }
   takeUp();
+}
+
+/// Returns once a recorder hears everything. @throw std::runtime_error if there is none.
+void EvolverNode::awaitRecorder()
+{
+  const auto interrupted = [] { return !ros::ok(); };
+  if (!awaitSubscribers({ generation_, champion_, best_publisher_, diagnostics_, evaluation_settings_ },
+                        LONGEST_WAIT_FOR_RECORDER, generation_.getTopic(), interrupted) &&
+      generation_.getNumSubscribers() == 0 && ros::ok())
+  {
+    throw std::runtime_error("record is true, but nobody has subscribed to " + generation_.getTopic() + " for " +
+                             toText(static_cast<int64_t>(LONGEST_WAIT_FOR_RECORDER.count())) +
+                             " s; start a recorder, or set record to false");
+  }
 }
 
 /// Counts and publishes what earlier runs have done.

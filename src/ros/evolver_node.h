@@ -48,6 +48,7 @@ private:
   void generationCommitted(const GenerationReport& report) override;
   void tick() override;
 
+  void awaitRecorder();
   void takeUp();
   void publishChampion(const EvolvedRobot& champion);
   void showProgress(const GenerationReport& report);
@@ -77,6 +78,7 @@ private:
   ros::Publisher champion_;
   ros::Publisher best_publisher_;
   ros::Publisher diagnostics_;
+  ros::Publisher evaluation_settings_;
   ros::ServiceServer pause_;
   ros::ServiceServer resume_;
   ros::ServiceServer stop_;

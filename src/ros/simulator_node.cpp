@@ -6,6 +6,7 @@
 #include "ros/conversions.h"
 #include "ros/message_reader.h"
 #include "ros/node_main.h"
+#include "ros/subscribers.h"
 
 #include <ros/console.h>
 #include <ros/this_node.h>
@@ -16,6 +17,9 @@ namespace devo_evo
 {
 namespace
 {
+constexpr uint32_t TELEMETRY_QUEUE = 10000;  // more than a subscriber that is alive gets behind
+constexpr std::chrono::seconds LONGEST_WAIT_FOR_SUBSCRIBERS{ 2 };
+
 void requireSameEngine(uint64_t wanted, uint64_t own)
 {
   if (wanted != 0 && wanted != own)
@@ -41,10 +45,11 @@ SimulatorNode::SimulatorNode(InstructionSet instruction_set, double announcement
   , announcement_period_s_(announcement_period_s)
   , fingerprint_(engineFingerprint(instruction_set))
   , private_node_("~")
+  , display_(node_, ros::this_node::getName())
   , evaluation_thread_(1, &requests_)
 {
   announcements_ = node_.advertise<SimulatorAnnouncement>("simulators", 1, true);
-  velocity_ = node_.advertise<VelocityTelemetry>("velocity", 1000);
+  velocity_ = node_.advertise<VelocityTelemetry>("velocity", TELEMETRY_QUEUE);
   private_node_.setCallbackQueue(&requests_);
   service_ = advertiseCheckedService<EvaluateGenomes>(private_node_, "evaluate",
                                                       [this](const auto& request, const auto& caller, auto& response)
@@ -52,6 +57,7 @@ SimulatorNode::SimulatorNode(InstructionSet instruction_set, double announcement
   evaluation_thread_.start();
   announcement_timer_ = node_.createSteadyTimer(ros::WallDuration(announcement_period_s),
                                                 [this](const ros::SteadyTimerEvent&) { announce(); });
+  awaitSubscribers({ velocity_ }, LONGEST_WAIT_FOR_SUBSCRIBERS);  // once it is announced, work begins
   announce();
   master_watch_ = std::make_unique<MasterWatch>(std::vector<std::string>{ service_.getService() });
   ROS_INFO_STREAM("simulating with " << toString(instruction_set) << ", " << laneCount(instruction_set)
@@ -101,6 +107,7 @@ void SimulatorNode::answer(const EvaluateGenomes::Request& request, EvaluateGeno
     response.evaluations.push_back(toMsg(evaluations[i], robots[i].trial, robots[i].id));
     velocity_.publish(telemetryOf(robots[i], evaluations[i], settings, ros::this_node::getName()));
   }
+  display_.offer(settings, robots, evaluations);
   evaluations_ += static_cast<int64_t>(robots.size());
 }
 

@@ -2,6 +2,7 @@
 
 #include "devo_evo/farm/farm.h"
 #include "devo_evo/soft_body/simulation.h"
+#include "ros/batch_display.h"
 #include "ros/master_watch.h"
 
 #include <devo_evo/EvaluateGenomes.h>
@@ -20,9 +21,9 @@ namespace devo_evo
 /// Simulates robots for whoever asks. Keeps nothing between requests: all that an evaluation depends on comes with it.
 ///
 /// Offers service ~evaluate (EvaluateGenomes); publishes `simulators` (SimulatorAnnouncement, latched) every
-/// announcement period and `velocity` (VelocityTelemetry) for every robot evaluated. Evaluates in a thread of its own,
-/// one request at a time, so that it stays responsive; announcements go by the global callback queue, which somebody
-/// must serve.
+/// announcement period, `velocity` (VelocityTelemetry) for every robot evaluated, and `voxels` (BatchDisplay).
+/// Evaluates in a thread of its own, one request at a time, so that it stays responsive; announcements go by the global
+/// callback queue, which somebody must serve.
 class SimulatorNode
 {
 public:
@@ -52,6 +53,7 @@ private:
   ros::CallbackQueue requests_;
   ros::Publisher announcements_;
   ros::Publisher velocity_;
+  BatchDisplay display_;
   ros::ServiceServer service_;
   ros::SteadyTimer announcement_timer_;
   ros::AsyncSpinner evaluation_thread_;

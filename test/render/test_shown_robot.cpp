@@ -162,11 +162,11 @@ TEST(Caption, NamesTheRobotAndWhatItDoes)
   Evaluation evaluation;
   evaluation.valid = true;
   evaluation.fitness = 12.345;
-  EXPECT_EQ(captionText(robot, evaluation, 3.2), "3/1042\nfitness 12.35 body lengths   3.20 s");
+  EXPECT_EQ(captionText(robot, evaluation, 3.2), "3/1042\nfitness 12.35 body lengths, 3.20 s");
   robot.descent = Descent{ 3, 1042, 412, 37, "evo_devo", 0.3, 0.4 };
   EXPECT_EQ(captionText(robot, evaluation, 3.2),
-            "3/1042   evo_devo   generation 412   age 37\nfitness 12.35 body lengths   3.20 s");
-  EXPECT_EQ(captionText(robot, Evaluation(), 0.5), "3/1042   evo_devo   generation 412   age 37\ndiverges   0.50 s");
+            "3/1042, evo_devo, generation 412, age 37\nfitness 12.35 body lengths, 3.20 s");
+  EXPECT_EQ(captionText(robot, Evaluation(), 0.5), "3/1042, evo_devo, generation 412, age 37\ndiverges, 0.50 s");
 }
 
 TEST(LifeSurvey, KnowsHowFarTheRobotCame)

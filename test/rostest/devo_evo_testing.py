@@ -74,6 +74,36 @@ class Process:
         self.log.close()
 
 
+class VirtualDisplay:
+    """An X server without a screen, on a number that is free; DISPLAY names it meanwhile."""
+
+    def __enter__(self):
+        read, write = os.pipe()
+        self.server = subprocess.Popen(['Xvfb', '-displayfd', str(write), '-screen', '0', '1280x800x24', '-nolisten', 'tcp'],
+                                       pass_fds=[write], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        os.close(write)
+        with os.fdopen(read) as number:
+            self.name = ':' + number.readline().strip()
+        self.before = {name: os.environ.get(name) for name in ('DISPLAY', 'LIBGL_ALWAYS_SOFTWARE')}
+        os.environ.update(DISPLAY=self.name, LIBGL_ALWAYS_SOFTWARE='1')
+        return self
+
+    def __exit__(self, *_):
+        for name, value in self.before.items():
+            if value is None:
+                del os.environ[name]
+            else:
+                os.environ[name] = value
+        self.server.terminate()
+        self.server.wait()
+
+    def pixels(self, area):
+        """Red, green and blue of every pixel within an area, written like 400x300+440+250."""
+        data = subprocess.run(['import', '-window', 'root', '-crop', area, '-depth', '8', 'rgb:-'], check=True,
+                              capture_output=True).stdout
+        return list(zip(data[0::3], data[1::3], data[2::3]))
+
+
 class ExperimentTest(unittest.TestCase):
     """Every test has a namespace and folders of its own."""
 
@@ -94,8 +124,8 @@ class ExperimentTest(unittest.TestCase):
                 print('---- %s ----\n%s' % (process.name, process.output()))
         shutil.rmtree(self.folder, ignore_errors=True)
 
-    def start(self, *arguments):
-        self.processes.append(Process(list(arguments), self.folder, self.namespace))
+    def start(self, *arguments, namespace=None):
+        self.processes.append(Process(list(arguments), self.folder, namespace or self.namespace))
         return self.processes[-1]
 
     def start_evolver(self, **parameters):
@@ -112,7 +142,7 @@ class ExperimentTest(unittest.TestCase):
 
     def launch(self, file, **arguments):
         return self.start('roslaunch', '--no-summary', '--disable-title', 'devo_evo', file, 'ns:=' + self.namespace[1:],
-                          *['%s:=%s' % argument for argument in arguments.items()])
+                          *['%s:=%s' % argument for argument in arguments.items()], namespace='/')
 
     def wait_for_success(self, process):
         status = process.wait()

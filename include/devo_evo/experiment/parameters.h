@@ -11,6 +11,18 @@
 
 namespace devo_evo
 {
+/// What a player shows, and how.
+struct PlayerParameters
+{
+  std::string individual = "best";        ///< "best", a trial like "3" (its champion), or an individual like "3/1042"
+  std::string genome_file;                ///< file of JSON lines to show a robot of instead; "": none
+  std::string colour = "resting_length";  ///< name of a Colouring
+  double speed = 1.0;                     ///< simulated time over real time [1]
+  double loop_pause = 1.0;                ///< between the end of a life and its next beginning [s]
+  double frame_rate = 25.0;               ///< of what is published [1/s]
+  double offset = 0.0;                    ///< how far beside its true place, along x, it is shown [body lengths]
+};
+
 /// Every setting of the programs: the experiment, how the farm runs it, and what a study makes of it. One name each in
 /// YAML, launch files and the command-line tool.
 struct Parameters
@@ -24,6 +36,9 @@ struct Parameters
   double batch_timeout = 60.0;           ///< how long a simulator may take for a batch before it counts as lost [s]
   double checked_fraction = 0.005;       ///< of evaluations that the evolver has made twice [1]
   double announcement_period = 0.5;      ///< how often a simulator announces itself [s]
+  bool record = false;                   ///< whether the evolver waits for a recorder before it begins
+
+  PlayerParameters player;
 };
 
 /// A value as a source gives it. Text is taken for every type, since launch arguments, command lines and YAML scalars
@@ -34,7 +49,7 @@ using ParameterValue = std::variant<bool, int64_t, double, std::string, std::vec
 struct ParameterSpec
 {
   std::string name;
-  std::string group;         ///< "experiment", "evolution", "body", "physics", "farm", "nodes" or "study"
+  std::string group;         ///< "experiment", "evolution", "body", "physics", "farm", "nodes", "study" or "player"
   std::string unit;          ///< "" if it has none
   std::string description;   ///< one sentence, with the symbol in docs/physics.md where it has one
   std::string allowed;       ///< completes "it must be": "a whole number within 1 to 64", "true or false"

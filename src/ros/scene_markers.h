@@ -1,0 +1,60 @@
+#pragma once
+
+#include "devo_evo/render/colouring.h"
+#include "devo_evo/render/robot_mesh.h"
+#include "devo_evo/render/scene.h"
+
+#include <visualization_msgs/MarkerArray.h>
+
+#include <Eigen/Core>
+
+#include <string>
+#include <vector>
+
+namespace devo_evo
+{
+/// Frame of all markers: right-handed, z up, metres; robots travel along +y, and the floor is z = 0.
+extern const char* const WORLD_FRAME;
+
+/// Draws a robot and its surroundings as markers, a few messages for everything. Namespaces of the markers:
+///   body      triangles, two a face, of the faces of RobotMesh in their order, in the colour of their voxel, shaded
+///   edges     lines along the edges of the blocks
+///   voxels    points, one a voxel in the order of the genome: its centre, in its colour
+///   path, velocity, caption
+///   floor     its area; `lines`, `marked_lines` and `labels` on it
+/// Stamps are left 0. Positions are rounded to 2^-17 m (0.008 mm), so that bags of them can be compressed.
+class SceneMarkers
+{
+public:
+  /// @param offset added to every position [m].
+  SceneMarkers(const SoftBodySettings& settings, const Eigen::Vector3d& offset);
+
+  /// Namespaces body, edges and voxels.
+  visualization_msgs::MarkerArray robot(const RobotFrame& frame, Colouring colouring) const;
+
+  /// Namespaces path, velocity and caption. The arrow is as long as the way in ARROW_TIME at that velocity.
+  visualization_msgs::MarkerArray annotations(const RobotFrame& frame, const MotionTrace& trace,
+                                              const std::string& caption) const;
+
+  /// Namespaces floor, lines, marked_lines and labels.
+  visualization_msgs::MarkerArray floor(const FloorPlan& plan) const;
+
+  static constexpr double ARROW_TIME = 0.5;  ///< [s]
+
+private:
+  visualization_msgs::Marker marker(const std::string& name_space, int32_t type) const;
+  geometry_msgs::Point point(const Eigen::Vector3d& position) const;
+
+  const SoftBodySettings settings_;
+  const RobotMesh mesh_;
+  const Eigen::Vector3d offset_;
+};
+
+/// Takes away everything that was drawn.
+visualization_msgs::MarkerArray nothing();
+
+void setStamp(visualization_msgs::MarkerArray& markers, const ros::Time& stamp);
+
+/// Appends the markers of one array to another.
+void append(visualization_msgs::MarkerArray& markers, visualization_msgs::MarkerArray more);
+}  // namespace devo_evo

@@ -1,0 +1,133 @@
+#!/usr/bin/python3
+"""Watching robots: the launch files, rviz on a virtual display, and what stands in the way."""
+
+import collections
+import os
+import subprocess
+import sys
+
+import rospkg
+import rospy
+import rostest
+from devo_evo.msg import PlayerState
+from visualization_msgs.msg import MarkerArray
+
+from devo_evo_testing import ExperimentTest, VirtualDisplay, program, wait_until
+
+PACKAGE = rospkg.RosPack().get_path('devo_evo')
+
+# Lines that rviz says on any Debian, whatever it shows.
+RVIZ_SAYS_ANYWAY = ('no such package media_export', 'error while executing command')
+
+
+class WatchTest(ExperimentTest):
+
+    def evolve(self, **parameters):
+        """An archive of short lives in the output folder."""
+        options = dict({'lifetime': 0.5, 'population': 4, 'generations': 1, 'trials': 1}, **parameters)
+        subprocess.run([program('devo_evo'), 'evolve', '--output', self.output] +
+                       [part for name, value in options.items() for part in ('--' + name, str(value))],
+                       check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+
+    def listen(self, topic, message):
+        heard = []
+        subscriber = rospy.Subscriber(self.namespace + '/' + topic, message, heard.append)
+        self.addCleanup(subscriber.unregister)
+        return heard
+
+    def watch(self, **arguments):
+        return self.launch('watch.launch', **dict({'rviz': 'false'}, **arguments))
+
+    def test_one_individual_is_shown_without_evolution(self):
+        self.evolve()
+        states = self.listen('player/state', PlayerState)
+        watch = self.watch(output=self.output, individual='1/3', colour='phase', speed=0.5)
+        wait_until(lambda: states, 'the robot is shown')
+        self.assertEqual((states[0].individual, states[0].record), ('1/3', PlayerState.AGREES))
+        self.assertEqual((states[0].colour, states[0].speed), ('phase', 0.5))
+        self.assertTrue(watch.said('showing 1/3, evo_devo'), watch.output())
+        self.assertTrue(watch.said(', as recorded'), watch.output())
+
+    def test_two_individuals_are_shown_side_by_side(self):
+        self.evolve()
+        first = self.listen('player/robot', MarkerArray)
+        second = self.listen('player_2/robot', MarkerArray)
+        self.watch(output=self.output, individual='1/0', beside='1/1', loop_pause=0)
+
+        def voxels(messages):
+            return [marker for array in messages for marker in array.markers if marker.ns == 'voxels']
+        wait_until(lambda: voxels(first) and voxels(second), 'both are shown')
+        for marker, low, high in ((voxels(first)[0], -0.04, 0.08), (voxels(second)[0], 0.24, 0.36)):
+            self.assertEqual(len(marker.points), 48)
+            self.assertTrue(all(low < point.x < high for point in marker.points))
+
+    def test_a_robot_of_a_file_is_shown(self):
+        states = self.listen('player/state', PlayerState)
+        self.watch(genome_file=PACKAGE + '/test/data/genomes.jsonl', individual='golden-001')
+        wait_until(lambda: states, 'the robot is shown')
+        self.assertEqual((states[0].individual, states[0].record), ('golden-001', PlayerState.NOT_RECORDED))
+
+    def test_what_cannot_be_shown_ends_with_a_message(self):
+        self.evolve()
+        for arguments, message in (
+                ({'output': self.output, 'individual': '1/4711'}, '4711'),
+                ({'output': self.output, 'individual': '1-5'}, 'individual is "1-5"; it must be best'),
+                ({'output': self.folder}, self.folder + '/experiment.db'),
+                ({'output': 'results'}, 'output is "results"; it must be an absolute path'),
+                ({'genome_file': self.folder + '/none.jsonl'}, 'none.jsonl: it cannot be read'),
+                ({'output': self.output, 'colour': 'pink'}, 'colour is "pink"; it must be resting_length')):
+            watch = self.watch(**arguments)
+            watch.wait()
+            self.assertTrue(watch.said('[FATAL]') and watch.said(message), watch.output())
+
+    def test_without_rviz_or_display_it_is_said_what_is_missing(self):
+        show = os.path.join(PACKAGE, 'scripts/show_rviz')
+        for environment, message in (
+                ({'PATH': '/nonexistent', 'DISPLAY': ':1'}, 'rviz is not installed'),
+                ({'PATH': '/usr/bin:/bin'}, 'rviz needs a display')):
+            result = subprocess.run(['/bin/bash', show, 'some.rviz'], env=environment, capture_output=True, text=True,
+                                    check=False)
+            self.assertEqual(result.returncode, 1)
+            self.assertIn(message, result.stderr)
+
+    def test_rviz_shows_robots_and_follows_them(self):
+        self.evolve(lifetime=3)
+        with VirtualDisplay() as display:
+            watch = self.launch('watch.launch', output=self.output, individual='1/0', beside='1/1')
+
+            def colours():
+                """Of the pixels where the robot stands: how many of each bright, saturated colour."""
+                pixels = display.pixels('400x300+440+250')
+                vivid = [pixel for pixel in pixels if max(pixel) - min(pixel) > 120]
+                return collections.Counter(vivid)
+            wait_until(lambda: len(colours()) >= 3 and sum(colours().values()) > 500, 'the robot is seen', 120.0)
+            first = display.pixels('400x300+440+250')
+            wait_until(lambda: display.pixels('400x300+440+250') != first, 'it moves')
+        complaints = [line for line in watch.output().splitlines()
+                      if ('rror' in line or 'ARN' in line or 'xception' in line)
+                      and not any(known in line for known in RVIZ_SAYS_ANYWAY)]
+        self.assertEqual(complaints, [])
+
+    def test_an_experiment_can_be_watched_and_plotted_while_it_runs(self):
+        states = self.listen('player/state', PlayerState)
+        self.launch('experiment.launch', lifetime=0.2, population=6, generations=1000000, seed=3, output=self.output,
+                    simulators=1, record='true')  # which shows the best robot, too
+        wait_until(lambda: len({state.individual for state in states}) > 1, 'a better robot is shown')
+        self.assertTrue(all(state.record == PlayerState.AGREES for state in states))
+        fitnesses = [state.fitness for state in states]
+        self.assertEqual(fitnesses, sorted(fitnesses))
+        for topic, fields in (('generation', ('best_fitness', 'median_fitness', 'champion_morphology_window',
+                                              'champion_control_window')),
+                              ('player/state', ('velocity', 'displacement', 'height')),
+                              ('velocity', ('mean_velocity',))):
+            for field in fields:
+                name = '%s/%s/%s' % (self.namespace, topic, field)
+                plot = subprocess.run(['rostopic', 'echo', '-p', '-n1', name], capture_output=True, text=True,
+                                      timeout=60, check=True).stdout.splitlines()
+                self.assertEqual(len(plot), 2, plot)
+                float(plot[1].split(',')[1])
+
+
+if __name__ == '__main__':
+    rospy.init_node('watch_rostest', disable_signals=True)
+    rostest.rosrun('devo_evo', 'watch', WatchTest, sys.argv)
