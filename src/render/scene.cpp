@@ -14,6 +14,7 @@ constexpr double MARGIN_AHEAD = 3.0;
 constexpr double MARGIN_BESIDE = 3.0;
 constexpr double FARTHEST = 500.0;  // a floor ends there, however far a robot is thrown
 constexpr int64_t MARKED_EVERY = 5;
+constexpr int64_t LABELS_BESIDE = 2;
 
 /// Numbers of the lines that bound a way along one axis, counted from the birthplace.
 std::pair<int64_t, int64_t> linesAround(double low, double high, double birthplace, double body_length, double margin)
@@ -84,7 +85,7 @@ FloorPlan floorPlan(const LifeSurvey& life, const SoftBodySettings& body)
     if (line % MARKED_EVERY == 0)
     {
       plan.marked_lines.push_back(across);
-      plan.labels.emplace_back(across[1], toText(line));
+      plan.labels.emplace_back(Eigen::Vector3d(x(LABELS_BESIDE), y(line), 0.0), toText(line));
     }
   }
   return plan;

@@ -14,29 +14,6 @@ namespace devo_evo
 {
 namespace
 {
-/// @throw InvalidInput if the message makes no sense for these settings.
-ShownRobot robotOf(const EvolvedRobot& message, const SoftBodySettings& body)
-{
-  ShownRobot robot;
-  robot.name = individualName(message.trial, message.id);
-  if (message.genome.size_gene_initial.empty())
-  {
-    throw InvalidInput("the genome of individual " + robot.name + " was not kept and cannot be had again");
-  }
-  robot.body = body;
-  robot.program = fromMsg(message.genome, body).program;
-  robot.recorded = fromMsg(message.evaluation, body);
-  const int64_t age_at_birth = message.age - (message.generation - message.born);
-  robot.descent = Descent{ message.trial,
-                           message.id,
-                           message.born,
-                           age_at_birth,
-                           toString(parseTreatment(message.treatment)),
-                           message.morphology_window,
-                           message.control_window };
-  return robot;
-}
-
 class EvolverSource : public RobotSource
 {
 public:
@@ -167,6 +144,35 @@ private:
   ros::Subscriber robots_subscriber_;
 };
 }  // namespace
+
+ShownRobot robotOf(const EvolvedRobot& message, const SoftBodySettings& body)
+{
+  const bool sound = message.trial >= 1 && message.id >= 0 && message.born >= 0 && message.age >= 0 &&
+                     message.born <= message.generation && message.age <= message.generation &&
+                     message.age >= message.generation - message.born;
+  if (!sound)
+  {
+    throw InvalidInput("trial, id, born, generation and age contradict each other");
+  }
+  ShownRobot robot;
+  robot.name = individualName(message.trial, message.id);
+  if (message.genome.size_gene_initial.empty())
+  {
+    throw InvalidInput("the genome of individual " + robot.name + " was not kept and cannot be had again");
+  }
+  robot.body = body;
+  robot.program = fromMsg(message.genome, body).program;
+  robot.recorded = fromMsg(message.evaluation, body);
+  const int64_t age_at_birth = message.age - (message.generation - message.born);
+  robot.descent = Descent{ message.trial,
+                           message.id,
+                           message.born,
+                           age_at_birth,
+                           toString(parseTreatment(message.treatment)),
+                           message.morphology_window,
+                           message.control_window };
+  return robot;
+}
 
 std::unique_ptr<RobotSource> makeEvolverSource(ros::NodeHandle node, const RobotChoice& choice)
 {

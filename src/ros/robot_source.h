@@ -3,6 +3,8 @@
 #include "devo_evo/render/shown_robot.h"
 #include "devo_evo/soft_body/settings.h"
 
+#include <devo_evo/EvolvedRobot.h>
+
 #include <ros/node_handle.h>
 
 #include <memory>
@@ -35,6 +37,10 @@ std::unique_ptr<RobotSource> makeArchiveSource(const std::string& output, const 
 /// A robot of a file. @throw InvalidInput
 std::unique_ptr<RobotSource> makeFileSource(const std::string& path, const std::string& id,
                                             const SoftBodySettings& body);
+
+/// The robot that a message speaks of. @param body of the experiment that it is from.
+/// @throw InvalidInput if the message makes no sense for this body, or has no genome.
+ShownRobot robotOf(const EvolvedRobot& message, const SoftBodySettings& body);
 
 /// Follows or asks an evolver by its topics `settings`, `champion` and `best` and its service `individual`.
 std::unique_ptr<RobotSource> makeEvolverSource(ros::NodeHandle node, const RobotChoice& choice);

@@ -15,7 +15,8 @@ using visualization_msgs::MarkerArray;
 constexpr double EDGE_WIDTH = 0.06;
 constexpr double POINT_SIZE = 0.2;
 constexpr double PATH_WIDTH = 0.12;
-constexpr double ARROW_WIDTH = 0.5;
+constexpr double ARROW_WIDTH = 0.35;
+constexpr double ARROW_ABOVE = 4.0;  // over the centre of mass, where the body does not hide it
 constexpr double CAPTION_HEIGHT = 0.9;
 constexpr double CAPTION_ABOVE = 6.5;  // over the centre of mass
 constexpr double LINE_WIDTH = 0.08;
@@ -140,10 +141,11 @@ MarkerArray SceneMarkers::annotations(const RobotFrame& frame, const MotionTrace
   }
   Marker arrow = marker("velocity", Marker::ARROW);
   arrow.scale.x = ARROW_WIDTH * L;
-  arrow.scale.y = 2.0 * ARROW_WIDTH * L;
+  arrow.scale.y = 2.5 * ARROW_WIDTH * L;
   arrow.scale.z = 0.0;
   arrow.color = toMsg(ARROW);
-  arrow.points = { point(frame.center_of_mass), point(frame.center_of_mass + ARROW_TIME * trace.velocity()) };
+  const Eigen::Vector3d tail = frame.center_of_mass + Eigen::Vector3d(0.0, 0.0, ARROW_ABOVE * L);
+  arrow.points = { point(tail), point(tail + ARROW_TIME * trace.velocity()) };
 
   Marker text = marker("caption", Marker::TEXT_VIEW_FACING);
   text.pose.position = point(frame.center_of_mass + Eigen::Vector3d(0.0, 0.0, CAPTION_ABOVE * L));
@@ -189,7 +191,7 @@ MarkerArray SceneMarkers::floor(const FloorPlan& plan) const
   {
     Marker label = marker("labels", Marker::TEXT_VIEW_FACING);
     label.id = static_cast<int32_t>(markers.markers.size());
-    label.pose.position = point(place + Eigen::Vector3d(plan.body_length / 2.0, 0.0, LABEL_HEIGHT * L / 2.0));
+    label.pose.position = point(place + Eigen::Vector3d(0.0, 0.0, LABEL_HEIGHT * L / 2.0));
     label.scale.z = LABEL_HEIGHT * L;
     label.color = toMsg(MARKED_LINES);
     label.text = text;

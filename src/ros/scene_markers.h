@@ -32,14 +32,15 @@ public:
   /// Namespaces body, edges and voxels.
   visualization_msgs::MarkerArray robot(const RobotFrame& frame, Colouring colouring) const;
 
-  /// Namespaces path, velocity and caption. The arrow is as long as the way in ARROW_TIME at that velocity.
+  /// Namespaces path, velocity and caption. The arrow, above the robot, is as long as the way in ARROW_TIME at that
+  /// velocity.
   visualization_msgs::MarkerArray annotations(const RobotFrame& frame, const MotionTrace& trace,
                                               const std::string& caption) const;
 
   /// Namespaces floor, lines, marked_lines and labels.
   visualization_msgs::MarkerArray floor(const FloorPlan& plan) const;
 
-  static constexpr double ARROW_TIME = 0.5;  ///< [s]
+  static constexpr double ARROW_TIME = 1.0;  ///< [s]
 
 private:
   visualization_msgs::Marker marker(const std::string& name_space, int32_t type) const;

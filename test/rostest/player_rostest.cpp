@@ -292,7 +292,7 @@ TEST_F(PlayerTest, BlocksFillAboutTheSpaceOfTheirVoxels)
   {
     volume += voxel.present_length * voxel.present_length * voxel.present_length;
   }
-  EXPECT_NEAR(volumeOf(left_.marker("body")) / volume, 1.0, 0.2);
+  EXPECT_NEAR(volumeOf(left_.marker("body")) / volume, 1.0, 0.35);  // soft bodies are squeezed
 }
 
 TEST_F(PlayerTest, LivesInRealTimeAgainAndAgain)
@@ -341,8 +341,8 @@ TEST_F(PlayerTest, CaptionPathArrowAndFloorAreThere)
   EXPECT_GT(path.points.size(), 5u);
   EXPECT_LT((vectorOf(path.points.back()) - frame.center_of_mass).norm(), 2 * ROUNDING);
   ASSERT_EQ(arrow.points.size(), 2u);
-  EXPECT_LT((vectorOf(arrow.points[0]) - frame.center_of_mass).norm(), 2 * ROUNDING);
-  EXPECT_NEAR(arrow.points[1].y - arrow.points[0].y, 0.5 * BODY_LENGTH * left_.state_shown.velocity, 2 * ROUNDING);
+  EXPECT_NEAR(arrow.points[0].y, frame.center_of_mass.y(), ROUNDING);
+  EXPECT_NEAR(arrow.points[1].y - arrow.points[0].y, BODY_LENGTH * left_.state_shown.velocity, 2 * ROUNDING);
   EXPECT_NEAR(left_.state_shown.displacement, (frame.center_of_mass.y() - life.birthplace.y()) / BODY_LENGTH, 1e-9);
 
   ASSERT_TRUE(eventually([&] { return left_.floor.markers.size() > 4; }));

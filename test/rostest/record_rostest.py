@@ -55,7 +55,7 @@ class RecordTest(ExperimentTest):
         self.assert_holds_all_generations(messages)
         velocities = {(telemetry.trial, telemetry.id) for telemetry in messages['velocity']}
         evaluated = sum(report.evaluations for report in messages['generation'])
-        self.assertEqual(len(messages['velocity']), evaluated)
+        self.assertGreaterEqual(len(messages['velocity']), evaluated)  # some are evaluated twice
         self.assertEqual(len(velocities), evaluated)
         self.assertEqual(messages['settings'][0].lifetime, SMALL['lifetime'])
         fitnesses = [robot.evaluation.fitness for robot in messages['best']]

@@ -5,7 +5,9 @@
 
 #include <gtest/gtest.h>
 #include <ros/ros.h>
+#include <visualization_msgs/MarkerArray.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cstring>
 #include <functional>
@@ -207,6 +209,36 @@ TEST_F(SimulatorTest, PublishesTheVelocityOfEveryRobot)
     const double mean = (0.5 * telemetry.velocity[0] + 0.2 * telemetry.velocity[1]) / 0.7;
     EXPECT_NEAR(telemetry.mean_velocity, mean, 0.01);
   }
+}
+
+TEST_F(SimulatorTest, ShowsTheBestRobotOfItsLastBatchWhileSomebodySubscribes)
+{
+  const SoftBodySettings settings = shortLife();
+  const auto requests = robots(8, settings);
+  const std::vector<Evaluation> evaluations = evaluate(settings, programsOf(requests));
+  const auto worse = [](const Evaluation& a, const Evaluation& b) { return a.fitness < b.fitness; };
+  const auto best = std::max_element(evaluations.begin(), evaluations.end(), worse) - evaluations.begin();
+  ask("best", toRequest(requests, settings, 0));  // nobody subscribes yet: this batch is not shown
+
+  std::map<std::string, visualization_msgs::Marker> shown;
+  const boost::function<void(const visualization_msgs::MarkerArray&)> take =
+      [&](const visualization_msgs::MarkerArray& markers)
+  {
+    for (const visualization_msgs::Marker& marker : markers.markers)
+    {
+      shown[marker.ns] = marker;
+    }
+  };
+  ros::Subscriber voxels = node_.subscribe<visualization_msgs::MarkerArray>("voxels", 100, take);
+  ASSERT_TRUE(eventually([&] { return voxels.getNumPublishers() == 2; }));
+  ros::WallDuration(0.5).sleep();
+  ros::spinOnce();
+  EXPECT_TRUE(shown.empty());
+  ask("best", toRequest(requests, settings, 0));
+  ASSERT_TRUE(eventually([&] { return !shown.empty(); }));
+  EXPECT_EQ(shown.at("voxels").points.size(), 48u);
+  EXPECT_EQ(shown.at("caption").text, individualName(2, best));
+  EXPECT_EQ(shown.at("body").lifetime, ros::Duration(2.0));
 }
 
 TEST_F(SimulatorTest, AnnouncesItselfWhileItSimulates)

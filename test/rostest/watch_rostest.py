@@ -57,7 +57,7 @@ class WatchTest(ExperimentTest):
         def voxels(messages):
             return [marker for array in messages for marker in array.markers if marker.ns == 'voxels']
         wait_until(lambda: voxels(first) and voxels(second), 'both are shown')
-        for marker, low, high in ((voxels(first)[0], -0.04, 0.08), (voxels(second)[0], 0.24, 0.36)):
+        for marker, low, high in ((voxels(first)[0], -0.04, 0.08), (voxels(second)[0], -0.28, -0.16)):
             self.assertEqual(len(marker.points), 48)
             self.assertTrue(all(low < point.x < high for point in marker.points))
 

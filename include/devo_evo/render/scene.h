@@ -47,7 +47,7 @@ struct FloorPlan
   double body_length = 0.0;
   std::vector<Line> lines;         ///< one body length from each other and from the birthplace, along x and along y
   std::vector<Line> marked_lines;  ///< across the way, at the birthplace and every five body lengths from it
-  std::vector<std::pair<Eigen::Vector3d, std::string>> labels;  ///< beside them: body lengths from the birthplace
+  std::vector<std::pair<Eigen::Vector3d, std::string>> labels;  ///< on them, beside the way: body lengths walked there
 };
 
 /// A floor for a life: as far as the robot comes, and some more.
