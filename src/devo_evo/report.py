@@ -115,8 +115,9 @@ def introduction(study):
     lines += [
         f"A claim holds if its test rejects the null hypothesis at {ALPHA:g} after Holm's correction in its family, "
         "or if its interval lies where the claim puts it. It does not hold if its opposite was shown, or if there were "
-        f"enough trials (for {100 * POWER:g} % power at the effect assumed) and generations to show it. Else the verdict "
-        "says what there was too little of. Claims, tests and effects were fixed before any data: docs/statistics.md.",
+        f"enough trials (for {100 * POWER:g} % power at the effect assumed) and generations to show it. Else the "
+        "verdict says what there was too little of. Claims, tests and effects were fixed before any data: "
+        "docs/statistics.md.",
         f"Replication: {REPLICATION}; its numbers belong to the profile released_code, as the paper's very likely do. "
         "n: independent units (trials, lineages or champions) of the smaller group.",
     ]
