@@ -12,8 +12,8 @@ if(NOT CATKIN_DEVEL_PREFIX)
 endif()
 
 find_package(catkin REQUIRED COMPONENTS
-  diagnostic_msgs geometry_msgs message_generation rosbag_storage roscpp std_msgs std_srvs tf2_ros topic_tools
-  visualization_msgs)
+  diagnostic_msgs geometry_msgs message_generation rosbag_storage roscpp sensor_msgs std_msgs std_srvs tf2_msgs
+  tf2_ros topic_tools visualization_msgs)
 
 catkin_python_setup()
 add_message_files(DIRECTORY msg)
@@ -25,6 +25,6 @@ find_library(SQLITECPP_LIBRARIES SQLiteCpp REQUIRED)
 catkin_package(
   INCLUDE_DIRS include
   LIBRARIES ${PROJECT_NAME}_core
-  CATKIN_DEPENDS diagnostic_msgs geometry_msgs message_runtime rosbag_storage roscpp std_msgs std_srvs tf2_ros topic_tools
-    visualization_msgs
+  CATKIN_DEPENDS diagnostic_msgs geometry_msgs message_runtime rosbag_storage roscpp sensor_msgs std_msgs std_srvs
+    tf2_msgs tf2_ros topic_tools visualization_msgs
   DEPENDS EIGEN3 OPENSSL SQLITECPP SQLite3 YAML_CPP)

@@ -15,6 +15,22 @@ foreach(target devo_evo_ros ${nodes})
   target_include_directories(${target} SYSTEM PRIVATE ${catkin_INCLUDE_DIRS})
 endforeach()
 
+# Those that draw are apart, so that the others need not load OSMesa.
+file(GLOB ros_picture_sources CONFIGURE_DEPENDS src/ros/picture/*.cpp)
+add_library(devo_evo_ros_picture STATIC ${ros_picture_sources})
+add_dependencies(devo_evo_ros_picture ${PROJECT_NAME}_generate_messages_cpp)
+target_link_libraries(devo_evo_ros_picture PUBLIC devo_evo_picture devo_evo_ros)
+set(picture_nodes lineage renderer)
+foreach(node ${picture_nodes})
+  add_executable(${node} src/nodes/${node}.cpp)
+  target_link_libraries(${node} PRIVATE devo_evo_ros_picture)
+endforeach()
+foreach(target devo_evo_ros_picture ${picture_nodes})
+  target_include_directories(${target} SYSTEM PRIVATE ${catkin_INCLUDE_DIRS})
+endforeach()
+list(APPEND nodes ${picture_nodes})
+target_link_libraries(devo_evo_cli PRIVATE devo_evo_ros_picture) # for bags
+
 # Where rosrun and roslaunch look for programs.
 set_target_properties(${nodes} devo_evo_cli PROPERTIES
   RUNTIME_OUTPUT_DIRECTORY ${CATKIN_DEVEL_PREFIX}/lib/${PROJECT_NAME})

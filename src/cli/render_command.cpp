@@ -1,5 +1,6 @@
 #include "cli/commands.h"
 
+#include "cli/bag_film.h"
 #include "cli/parameter_options.h"
 #include "cli/picture_options.h"
 #include "cli/robot_choices.h"
@@ -34,6 +35,12 @@ void requireFilm(const std::string& path)
     throw InvalidInput("--out is \"" + path +
                        "\"; a film ends in .mp4, .gif or .webp, or is a folder of PNG files: FOLDER/");
   }
+}
+
+bool isBag(const std::string& source)
+{
+  const std::string suffix = ".bag";
+  return source.size() > suffix.size() && source.compare(source.size() - suffix.size(), suffix.size(), suffix) == 0;
 }
 
 void requirePicture(const std::string& path)
@@ -106,6 +113,11 @@ int render(const RenderArguments& arguments, const std::string& path, const Pict
   {
     return renderLineage(arguments, path, format);
   }
+  if (isBag(arguments.source))
+  {
+    requireFilm(path);
+    return makeFilm(path, [&](const FilmProgress& progress) { filmBag(arguments.source, path, format, progress); });
+  }
   if (!arguments.beside.empty())
   {
     return renderSideBySide(arguments, path, format, parameters);
@@ -129,7 +141,8 @@ void addRenderCommand(CLI::App& tool, Command& command)
   CLI::App* app =
       tool.add_subcommand("render", "Draw robots as pictures and films, without a display (docs/pictures.md).");
   const auto arguments = std::make_shared<RenderArguments>();
-  app->add_option("SOURCE", arguments->source, "an experiment's output folder, or a file of genomes (JSON lines)")
+  app->add_option("SOURCE", arguments->source,
+                  "an experiment's output folder, a file of genomes (JSON lines), or a bag that shows robots")
       ->required();
   app->add_option("--individual", arguments->individual,
                   "best, a trial (its champion) or trial/id; of a file, the robot's id [best; the first one]")
@@ -159,6 +172,7 @@ void addRenderCommand(CLI::App& tool, Command& command)
       "  devo_evo render results/first --individual 3/1042 --time 2.5 --out robot.png\n"
       "  devo_evo render results/first --strip --out strip.png\n"
       "  devo_evo render results/first --lineage --count 8 --out lineage.mp4\n"
+      "  devo_evo render lineage.bag --out lineage.mp4\n"
       "  devo_evo render results/evo_devo --beside results/evo --out treatments.mp4\n"
       "Options of body and physics are for robots of files; an experiment has its own.");
   app->callback([=, &command]
