@@ -10,7 +10,8 @@ include(GoogleTest)
 
 file(GLOB unit_tests CONFIGURE_DEPENDS test/soft_body/test_*.cpp test/rigid_body/test_*.cpp test/evolution/test_*.cpp
   test/archive/test_*.cpp test/farm/test_*.cpp test/experiment/test_*.cpp test/study/test_*.cpp test/render/test_*.cpp
-  test/verification/test_*.cpp test/interchange/test_*.cpp test/picture/test_*.cpp test/cli/test_*.cpp)
+  test/verification/test_*.cpp test/interchange/test_*.cpp test/explanation/test_*.cpp test/picture/test_*.cpp
+  test/cli/test_*.cpp)
 foreach(source ${unit_tests})
   get_filename_component(name ${source} NAME_WE)
   add_executable(${name} EXCLUDE_FROM_ALL ${source})

@@ -70,6 +70,10 @@ int run(int argc, char** argv)
   addVerifyCommand(tool, command);
   addDiffCommand(tool, command);
   addInfoCommand(tool, command);
+  addExportCommand(tool, command);
+  addImportCommand(tool, command);
+  addExplainCommand(tool, command);
+  addManualCommand(tool, command);
   addParametersCommand(tool, command);
   addRenderCommand(tool, command);
   addOverviewCommand(tool, command);

@@ -283,6 +283,23 @@ std::string RobotReader::position() const
   return name_ + ", line " + toText(line_);
 }
 
+std::string robotToJson(const RobotId& id, const Genome& genome, const SoftBodySettings& settings)
+{
+  const DevelopmentalProgram& program = genome.program;
+  nlohmann::ordered_json json;
+  std::visit([&json](const auto& value) { json["id"] = value; }, id);
+  json["grid"] = { settings.grid_x, settings.grid_y, settings.grid_z };
+  json["size_gene_initial"] = program.size_gene_initial;
+  json["size_gene_final"] = program.size_gene_final;
+  json["phase_initial_cycles"] = program.phase_initial;
+  json["phase_final_cycles"] = program.phase_final;
+  if (!genome.mutation_rate.empty())
+  {
+    json["mutation_rate"] = genome.mutation_rate;
+  }
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
 std::string evaluationToJson(const RobotId& id, const Evaluation& evaluation, const SoftBodySettings& settings)
 {
   nlohmann::ordered_json json;  // writes NaN as null

@@ -83,6 +83,21 @@ std::string parametersAsYaml()
   return text;
 }
 
+std::string parametersAsYaml(const ExperimentSettings& settings)
+{
+  Parameters parameters;
+  parameters.experiment = settings;
+  std::string text;
+  for (const ParameterSpec& spec : parameterSpecs())
+  {
+    if (describesExperiment(spec))
+    {
+      text += spec.name + ": " + spec.get(parameters) + "\n";
+    }
+  }
+  return text;
+}
+
 std::string parametersAsMarkdown()
 {
   std::string text =

@@ -20,7 +20,10 @@ LAYERS = {
     "study": {"soft_body", "evolution", "farm", "archive", "experiment"},
     "verification": {"soft_body", "evolution", "farm", "archive", "experiment"},
     "picture": {"soft_body", "evolution", "archive", "experiment", "render"},
-    "cli": {"soft_body", "evolution", "farm", "archive", "experiment", "study", "render", "verification", "picture"},
+    "interchange": {"soft_body", "evolution", "archive", "experiment"},
+    "explanation": {"experiment"},
+    "cli": {"soft_body", "evolution", "farm", "archive", "experiment", "study", "render", "verification", "picture",
+            "interchange", "explanation"},
 }
 ROS_HEADER = re.compile(r"^(ros|roscpp|rosbag|tf2|tf2_ros|\w+_msgs|std_srvs|diagnostic_updater)/"
                         r"|^devo_evo/[A-Z]\w*\.h$")

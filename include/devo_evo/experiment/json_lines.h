@@ -50,6 +50,9 @@ private:
   int64_t line_ = 0;
 };
 
+/// A robot as a line of JSON that RobotReader reads back as the same, without the line's end.
+std::string robotToJson(const RobotId& id, const Genome& genome, const SoftBodySettings& settings);
+
 /// An evaluation as a line of JSON (docs/tool.md, "Evaluations"), without the line's end. Numbers read back as the
 /// same; null where there is none.
 std::string evaluationToJson(const RobotId& id, const Evaluation& evaluation, const SoftBodySettings& settings);

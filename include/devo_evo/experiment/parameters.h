@@ -83,6 +83,9 @@ void loadParameters(Parameters& parameters, const std::string& yaml_file);
 /// A YAML file with every parameter at its default, documented: config/experiment.yaml.
 std::string parametersAsYaml();
 
+/// A YAML file with the parameters of one experiment: whatever describes it.
+std::string parametersAsYaml(const ExperimentSettings& settings);
+
 /// A page of documentation on every parameter: docs/parameters.md.
 std::string parametersAsMarkdown();
 }  // namespace devo_evo
