@@ -1,7 +1,7 @@
 // Preloaded by run.sh (LD_PRELOAD): keeps what would listen on all addresses of this machine to the loopback.
 //
-// With ROS_HOSTNAME=localhost roscpp and rosmaster bind to the loopback, except for the XML-RPC port of each C++ node, which
-// takes commands from everybody who reaches it.
+// With ROS_HOSTNAME=localhost roscpp and rosmaster bind to the loopback, except for the XML-RPC port of each C++ node,
+// which takes commands from everybody who reaches it.
 
 #include <arpa/inet.h>
 #include <dlfcn.h>

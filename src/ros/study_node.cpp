@@ -67,9 +67,13 @@ RunOutcome StudyNode::run()
   const RunOutcome outcome = runStudy(parameters_, provenance, make_farm, *this);
   say(outcome == RunOutcome::FINISHED ? "finished\nStudy: " + output
                                       : "stopped\nStudy: " + output + "\nTo go on: the same command");
-  callbacks_.stop();
-  clean_ = master_watch_.close() && clean_;
   return outcome;
+}
+
+bool StudyNode::close()
+{
+  callbacks_.stop();
+  return master_watch_.close() && clean_;
 }
 
 std::unique_ptr<Farm> StudyNode::makeFarm(const SoftBodySettings& body, uint64_t fingerprint)

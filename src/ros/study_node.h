@@ -23,8 +23,9 @@ public:
   /// @throw ArchiveError if results cannot be kept; InvalidInput.
   RunOutcome run();
 
-  /// Whether no thread hangs in the network's code: SimulatorFarm::close(), MasterWatch::close().
-  bool clean() const { return clean_; }
+  /// Ends all work with the network. @return false if threads hang in its code: SimulatorFarm::close(),
+  /// MasterWatch::close().
+  bool close();
 
 private:
   using Clock = std::chrono::steady_clock;
@@ -41,7 +42,7 @@ private:
   IdleWarning idle_warning_;
   MasterWatch master_watch_;
   std::function<bool()> somebody_works_;  // asks the present farm; empty between two
-  bool clean_ = true;
+  bool clean_ = true;                     // whether every farm could be closed
   Clock::time_point started_ = Clock::now();
   Clock::time_point next_progress_ = started_;
   Clock::time_point next_look_ = started_;
