@@ -4,12 +4,15 @@ import os
 import shutil
 import signal
 import subprocess
+import sys
 import tempfile
-import time
 import unittest
 
 import roslib.packages
 import rospy
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.realpath(__file__)), '../chaos'))
+from laboratory import wait_until  # noqa: E402, F401: tests take it from here
 
 # Short lives in a small experiment: a run takes a second or two.
 SMALL = {'lifetime': 0.2, 'population': 6, 'generations': 5, 'trials': 2, 'seed': 3}
@@ -18,17 +21,6 @@ SMALL = {'lifetime': 0.2, 'population': 6, 'generations': 5, 'trials': 2, 'seed'
 def program(name):
     """Path of one of our programs."""
     return roslib.packages.find_node('devo_evo', name)[0]
-
-
-def wait_until(condition, what, timeout=60.0):
-    """Polls until the condition holds and returns its value; fails with `what` otherwise."""
-    end = time.monotonic() + timeout
-    while time.monotonic() < end:
-        value = condition()
-        if value:
-            return value
-        time.sleep(0.02)
-    raise AssertionError('timed out waiting until ' + what)
 
 
 class Process:
