@@ -174,6 +174,8 @@ class Laboratory:
             if host.holder:
                 host.holder.kill()
                 host.holder.wait()
+        if self.networked:
+            subprocess.run(['ip', 'link', 'delete', 'switch0'], check=True)
         if exception[0] is not None:
             for node in self.nodes:
                 print('---- %s ----\n%s' % (node.name, node.output()))
