@@ -16,9 +16,9 @@ if(DEVO_EVO_ROS) # for rosrun above, for everybody else here
   install(TARGETS devo_evo_cli RUNTIME DESTINATION ${CATKIN_GLOBAL_BIN_DESTINATION})
 endif()
 if(TARGET devo_evo_manual)
-  install(FILES ${CMAKE_CURRENT_BINARY_DIR}/devo_evo.1 DESTINATION ${CMAKE_INSTALL_DATADIR}/man/man1)
+  install(FILES ${CMAKE_CURRENT_BINARY_DIR}/devo_evo.1 DESTINATION share/man/man1)
   install(FILES ${CMAKE_CURRENT_BINARY_DIR}/devo_evo.bash
-    DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME devo_evo)
+    DESTINATION share/bash-completion/completions RENAME devo_evo)
 endif()
 
 # The library, for find_package(devo_evo_core) of programs that know nothing of catkin.
@@ -30,6 +30,7 @@ install(EXPORT devo_evo_core FILE devo_evo_core-targets.cmake NAMESPACE devo_evo
 configure_package_config_file(cmake/devo_evo_core-config.cmake.in devo_evo_core-config.cmake
   INSTALL_DESTINATION ${core_config_dir})
 write_basic_package_version_file(devo_evo_core-config-version.cmake COMPATIBILITY SameMinorVersion)
+#catkin_lint: ignore_once missing_file
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/devo_evo_core-config.cmake
   ${CMAKE_CURRENT_BINARY_DIR}/devo_evo_core-config-version.cmake DESTINATION ${core_config_dir})
 
@@ -38,8 +39,8 @@ install(DIRECTORY config DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
 if(NOT DEVO_EVO_ROS) # else catkin_python_setup installs it
   install(DIRECTORY src/${PROJECT_NAME} DESTINATION ${python_destination} FILES_MATCHING PATTERN "*.py")
 endif()
-install(FILES README.md LICENSE CITATION.cff DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${PROJECT_NAME})
-install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${PROJECT_NAME})
+install(FILES README.md LICENSE CITATION.cff DESTINATION share/doc/${PROJECT_NAME})
+install(DIRECTORY docs DESTINATION share/doc/${PROJECT_NAME})
 if(DEVO_EVO_ROS)
   install(TARGETS ${nodes} RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
   install(DIRECTORY launch rviz DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION} USE_SOURCE_PERMISSIONS)
