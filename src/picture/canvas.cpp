@@ -201,7 +201,10 @@ void Canvas::writePng(const std::string& path) const
                                    ? std::strerror(errno)
                                    : cairo_status_to_string(status);
     std::error_code ignored;
-    std::filesystem::remove(path, ignored);
+    if (std::filesystem::is_regular_file(path, ignored))  // a device stays
+    {
+      std::filesystem::remove(path, ignored);
+    }
     throw PictureError(path + ": it cannot be written: " + reason);
   }
 }

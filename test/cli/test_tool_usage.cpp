@@ -18,7 +18,8 @@ TEST(Tool, TellsItsVersion)
 TEST(Tool, HelpsWithEveryCommand)
 {
   EXPECT_NE(runTool({ "--help" }).out.find("evaluate"), std::string::npos);
-  for (const std::string command : { "evaluate", "evolve", "digest", "study", "parameters" })
+  for (const std::string command : { "evaluate", "evolve", "digest", "study", "verify", "diff", "info", "export",
+                                     "import", "explain", "manual", "parameters", "render", "overview" })
   {
     const ToolResult result = runTool({ command, "--help" });
     EXPECT_EQ(result.status, 0) << command;
@@ -35,9 +36,11 @@ TEST(Tool, OffersEveryParameterOfAnExperimentAndOfAStudy)
     const std::string option = "--" + spec.name + " ";
     const bool threads = spec.name == "simulators";
     EXPECT_EQ(evolve.find(threads ? "--threads" : option) != std::string::npos,
-              spec.group != "nodes" && spec.group != "study")
+              spec.group != "nodes" && spec.group != "player" && spec.group != "study")
         << spec.name;
-    EXPECT_EQ(study.find(threads ? "--threads" : option) != std::string::npos, spec.group != "nodes") << spec.name;
+    EXPECT_EQ(study.find(threads ? "--threads" : option) != std::string::npos,
+              spec.group != "nodes" && spec.group != "player")
+        << spec.name;
   }
 }
 
@@ -66,9 +69,9 @@ TEST(Tool, RefusesWrongUsageWithStatusTwo)
 
 TEST(Tool, NamesTheCommandOrParameterProbablyMeant)
 {
-  EXPECT_EQ(
-      runTool({ "dance" }).err,
-      "devo_evo: error: there is no command \"dance\"; the commands are evaluate, evolve, digest, study, parameters\n");
+  EXPECT_EQ(runTool({ "dance" }).err,
+            "devo_evo: error: there is no command \"dance\"; the commands are evaluate, evolve, digest, study, verify, "
+            "diff, info, export, import, explain, manual, parameters, render, overview, figures, report\n");
   EXPECT_EQ(runTool({ "evolve", "--lifetme", "3" }).err,
             "devo_evo: error: --lifetme: there is no parameter \"lifetme\"; the closest is lifetime\n");
 }

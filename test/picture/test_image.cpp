@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 
 namespace devo_evo
@@ -63,6 +64,7 @@ TEST(Image, SaysWhyItCannotBeWritten)
   EXPECT_NE(messageOf<PictureError>([&] { image.writePng("/nowhere/picture.png"); }).find("No such file"),
             std::string::npos);
   EXPECT_NE(messageOf<PictureError>([&] { image.writePng("/dev/full"); }).find("No space left"), std::string::npos);
+  EXPECT_TRUE(std::filesystem::is_character_file("/dev/full"));
 }
 
 TEST(Canvas, WritesTextThatTakesRoom)
