@@ -58,7 +58,8 @@ class LaunchTest(ExperimentTest):
             roslib.packages.find_resource('devo_evo', 'simulators.sbatch')[0])))
         setup = os.path.join(os.path.dirname(program('devo_evo')), '../../setup.bash')
         self.start('env', 'SLURM_JOB_ID=17', 'SLURM_CPUS_PER_TASK=2', 'DEVO_EVO=' + package, 'DEVO_EVO_SETUP=' + setup,
-                   'DEVO_EVO_NS=' + self.namespace[1:], 'bash', os.path.join(package, 'launch/simulators.sbatch'))
+                   'DEVO_EVO_NS=' + self.namespace[1:], 'bash', os.path.join(package, 'launch/simulators.sbatch'),
+                   namespace='/')
         self.wait_for_success(evolver)
         self.assertEqual(evolver.output().count(') joined'), 2, evolver.output())
         self.assertEqual(self.digest(), self.undisturbed_digest(generations=60))
