@@ -76,7 +76,8 @@ class InstallTest(unittest.TestCase):
         (source / "main.cpp").write_text(PROGRAM, encoding="utf-8")
         (source / "CMakeLists.txt").write_text(CMAKE, encoding="utf-8")
         flags = cached("DEVO_EVO_SANITIZE") and f"-DCMAKE_CXX_FLAGS=-fsanitize={cached('DEVO_EVO_SANITIZE')}"
-        run("cmake", "-S", source, "-B", source / "build", f"-DCMAKE_PREFIX_PATH={self.prefix}", *filter(None, [flags]))
+        run("cmake", "-G", "Ninja", "-S", source, "-B", source / "build", f"-DCMAKE_PREFIX_PATH={self.prefix}",
+            *filter(None, [flags]))
         run("cmake", "--build", source / "build")
         state_hash = run(source / "build/five_lines").strip().zfill(16)
         robot = {"id": 1, "size_gene_initial": [0.25] * 48, "phase_initial_cycles": [0.125] * 48}

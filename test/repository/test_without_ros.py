@@ -25,7 +25,7 @@ class WithoutRosTest(unittest.TestCase):
         with tempfile.TemporaryDirectory() as build:
             # Without optimisation, which takes most of the time and is tested elsewhere.
             script = (f"[ -z \"$(ls -A /usr/include/ros 2>/dev/null)\" ] || exit 77\n"
-                      f"cmake -S {REPOSITORY} -B {build} -DDEVO_EVO_ROS=OFF -DBUILD_TESTING=OFF "
+                      f"cmake -G Ninja -S {REPOSITORY} -B {build} -DDEVO_EVO_ROS=OFF -DBUILD_TESTING=OFF "
                       f"-DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_FLAGS=-O0\n"
                       f"cmake --build {build} --parallel {os.cpu_count()} --target devo_evo_cli\n"
                       f"{build}/devo_evo --version\n")
