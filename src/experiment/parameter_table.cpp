@@ -107,44 +107,21 @@ ParameterSpec mutationRateSpec()
                   "self_adaptive or a number within 0 to 1", assign, get);
 }
 
-ParameterSpec outputSpec()
+ParameterSpec pathSpec(const std::string& name, std::string ExperimentSettings::*field, const std::string& kind,
+                       const std::string& description)
 {
-  const auto assign = [](Parameters& parameters, const ParameterValue& value)
+  const auto assign = [field](Parameters& parameters, const ParameterValue& value)
   {
     const auto text = asText(value);
     const bool allowed = text && text->find('~') != 0;  // nobody would expand it
     if (allowed)
     {
-      parameters.experiment.output = *text;
+      parameters.experiment.*field = *text;
     }
     return allowed;
   };
-  return makeSpec(
-      { "output", "experiment", "",
-        "Folder for everything the experiment writes; empty: "
-        "$HOME/devo_evo/<treatment>-<profile>-<mutation rate>-seed-<seed>. An experiment in it is resumed." },
-      "the path of a folder, written out without ~", assign,
-      [](const Parameters& parameters) { return parameters.experiment.output; });
-}
-
-ParameterSpec foundersSpec()
-{
-  const auto assign = [](Parameters& parameters, const ParameterValue& value)
-  {
-    const auto text = asText(value);
-    const bool allowed = text && text->find('~') != 0;  // nobody would expand it
-    if (allowed)
-    {
-      parameters.experiment.founders = *text;
-    }
-    return allowed;
-  };
-  return makeSpec(
-      { "founders", "experiment", "",
-        "File of robots (JSON lines, docs/tool.md) that every trial starts with; founders that it has too few of are "
-        "random. Empty: all are random. The robots are kept in the archive, and must be the same when it is resumed." },
-      "the path of a file, written out without ~", assign,
-      [](const Parameters& parameters) { return parameters.experiment.founders; });
+  return makeSpec({ name, "experiment", "", description }, "the path of a " + kind + ", written out without ~", assign,
+                  [field](const Parameters& parameters) { return parameters.experiment.*field; });
 }
 
 ParameterSpec gridSpec()
@@ -302,8 +279,13 @@ std::vector<ParameterSpec> experimentSpecs()
     experimentCount("trials", "Independent repetitions of the evolution, numbered from 1; they advance side by side."),
     experimentCount("generations", "Generations of each trial after generation 0, the founders."),
     seedSpec(),
-    foundersSpec(),
-    outputSpec(),
+    pathSpec(
+        "founders", &ExperimentSettings::founders, "file",
+        "File of robots (JSON lines, docs/tool.md) that every trial starts with; founders that it has too few of are "
+        "random. Empty: all are random. The robots are kept in the archive, and must be the same when it is resumed."),
+    pathSpec("output", &ExperimentSettings::output, "folder",
+             "Folder for everything the experiment writes; empty: "
+             "$HOME/devo_evo/<treatment>-<profile>-<mutation rate>-seed-<seed>. An experiment in it is resumed."),
   };
 }
 

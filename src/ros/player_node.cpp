@@ -2,6 +2,7 @@
 
 #include "devo_evo/experiment/report_text.h"
 #include "ros/conversions.h"
+#include "ros/robot_transforms.h"
 
 #include <ros/console.h>
 #include <ros/init.h>
@@ -22,23 +23,6 @@ constexpr double WARNING_PERIOD = 30.0;                  // [s]
 std::string withoutNamespace(const std::string& name)
 {
   return name.substr(name.rfind('/') + 1);
-}
-
-geometry_msgs::TransformStamped transformTo(const std::string& frame, const ros::Time& stamp,
-                                            const Eigen::Vector3d& origin, const Eigen::Quaterniond& orientation)
-{
-  geometry_msgs::TransformStamped message;
-  message.header.stamp = stamp;
-  message.header.frame_id = WORLD_FRAME;
-  message.child_frame_id = frame;
-  message.transform.translation.x = origin.x();
-  message.transform.translation.y = origin.y();
-  message.transform.translation.z = origin.z();
-  message.transform.rotation.x = orientation.x();
-  message.transform.rotation.y = orientation.y();
-  message.transform.rotation.z = orientation.z();
-  message.transform.rotation.w = orientation.w();
-  return message;
 }
 }  // namespace
 
@@ -374,9 +358,7 @@ void PlayerNode::show(const Picture& picture, const Orders& orders)
 void PlayerNode::broadcast(const RobotFrame& frame, const ros::Time& stamp)
 {
   const Eigen::Vector3d center = frame.center_of_mass + Eigen::Vector3d(offset_, 0.0, 0.0);
-  transforms_.sendTransform(
-      { transformTo(name_ + "/robot", stamp, center, frame.orientation),
-        transformTo(name_ + "/follow", stamp, { center.x(), center.y(), 0.0 }, Eigen::Quaterniond::Identity()) });
+  transforms_.sendTransform(robotTransforms(name_, center, frame.orientation, stamp));
 }
 
 void PlayerNode::publishState(const Picture& picture, const Orders& orders, const ros::Time& stamp)

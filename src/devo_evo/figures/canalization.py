@@ -127,26 +127,16 @@ def _draw_cells(figure, axes, cells):
     bar = figure.colorbar(
         shades, ax=axes, ticks=np.linspace(0, highest, 7), format="%d" if highest == HIGHEST else "%.2f"
     )
-    bar.ax.text(
-        0.5,
-        0.97,
-        "High fitness",
-        rotation=90,
-        transform=bar.ax.transAxes,
-        ha="center",
-        va="top",
-        color="w",
-        fontsize=10,
-    )
-    bar.ax.text(
-        0.5,
-        0.03,
-        "Low fitness",
-        rotation=90,
-        transform=bar.ax.transAxes,
-        ha="center",
-        va="bottom",
-        color="w",
-        fontsize=10,
-    )
+    for height, label, side in ((0.97, "High fitness", "top"), (0.03, "Low fitness", "bottom")):
+        bar.ax.text(
+            0.5,
+            height,
+            label,
+            rotation=90,
+            transform=bar.ax.transAxes,
+            ha="center",
+            va=side,
+            color="w",
+            fontsize=10,
+        )
     bar.set_label("Median fitness [body lengths]", fontsize=11)

@@ -5,6 +5,7 @@
 #include "devo_evo/render/shown_robot.h"
 #include "devo_evo/soft_body/text.h"
 #include "ros/conversions.h"
+#include "ros/robot_transforms.h"
 #include "ros/scene_markers.h"
 
 #include <rosbag/bag.h>
@@ -24,23 +25,6 @@ using visualization_msgs::MarkerArray;
 constexpr double FIRST_STAMP = 1.0;          // [s]
 constexpr double ANNOTATION_INTERVAL = 0.2;  // of path, velocity and caption [s]
 constexpr const char* NAME_SPACE = "/lineage/";
-
-geometry_msgs::TransformStamped transform(const std::string& child, const Eigen::Vector3d& position,
-                                          const Eigen::Quaterniond& orientation, const ros::Time& stamp)
-{
-  geometry_msgs::TransformStamped message;
-  message.header.stamp = stamp;
-  message.header.frame_id = WORLD_FRAME;
-  message.child_frame_id = child;
-  message.transform.translation.x = position.x();
-  message.transform.translation.y = position.y();
-  message.transform.translation.z = position.z();
-  message.transform.rotation.x = orientation.x();
-  message.transform.rotation.y = orientation.y();
-  message.transform.rotation.z = orientation.z();
-  message.transform.rotation.w = orientation.w();
-  return message;
-}
 
 /// The body alone: its edges and voxels would double the bag and show nothing more.
 MarkerArray bodyOnly(MarkerArray markers)
@@ -116,9 +100,7 @@ private:
       setStamp(array, stamp_);
       write("robot", stamp_, array);
       tf2_msgs::TFMessage transforms;
-      const Eigen::Vector3d foot(frame.center_of_mass.x(), frame.center_of_mass.y(), 0.0);
-      transforms.transforms = { transform("lineage/robot", frame.center_of_mass, frame.orientation, stamp_),
-                                transform("lineage/follow", foot, Eigen::Quaterniond::Identity(), stamp_) };
+      transforms.transforms = robotTransforms("lineage", frame.center_of_mass, frame.orientation, stamp_);
       bag_.write("/tf", stamp_, transforms);
     }
   }
