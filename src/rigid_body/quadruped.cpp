@@ -83,6 +83,7 @@ public:
     result.leg_contact = static_cast<double>(leg_contacts_) / steps;
     result.airborne_fraction = static_cast<double>(airborne_) / steps;
     result.first_abdomen_contact_s = first_abdomen_contact_;
+    result.first_roll_s = first_roll_;
     result.state_hash = body_.stateHash();
     return result;
   }
@@ -127,6 +128,10 @@ private:
     {
       first_abdomen_contact_ = time();
     }
+    if (turned_ >= 0.5 * TWO_PI && !first_roll_)
+    {
+      first_roll_ = time();
+    }
   }
 
   const RigidBodySettings settings_;
@@ -141,6 +146,7 @@ private:
   int64_t leg_contacts_ = 0;
   int64_t airborne_ = 0;
   std::optional<double> first_abdomen_contact_;
+  std::optional<double> first_roll_;
 };
 
 QuadrupedSimulation::QuadrupedSimulation(const RigidBodySettings& settings, const QuadrupedProgram& program)

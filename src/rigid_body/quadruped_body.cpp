@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdarg>
 #include <mutex>
 #include <stdexcept>
 
@@ -23,6 +24,8 @@ void prepareThread()
   std::call_once(initialised,
                  []
                  {
+                   // On standard error it would tell of degenerate contacts, which it solves as well as can be.
+                   dSetMessageHandler([](int, const char*, va_list) {});
                    if (dInitODE2(0) == 0)
                    {
                      throw std::runtime_error("the physics library ODE could not be initialised");

@@ -72,14 +72,18 @@ TEST(Quadruped, ASphereWithoutLegsRollsAsMechanicsSays)
 {
   // A homogeneous sphere rolls down with 5/7 g sin(slope); its legs are flush with it and weigh next to nothing.
   RigidBodySettings settings;
-  settings.lifetime = 2.0;
+  settings.lifetime = 3.0;
   settings.leg_residual = 0.0;
   settings.leg_mass = 1e-4;
   const QuadrupedEvaluation evaluation = evaluateQuadruped(settings, motionless(0.0));
-  const double distance = 0.5 * 5.0 / 7.0 * 9.81 * std::sin(2.0 * DEGREE) * 2.0 * 2.0;
+  const double acceleration = 5.0 / 7.0 * 9.81 * std::sin(2.0 * DEGREE);
+  const double distance = 0.5 * acceleration * 3.0 * 3.0;
   EXPECT_NEAR(evaluation.descent, distance, 0.01 * distance);
   EXPECT_NEAR(evaluation.turns, distance / (2.0 * 180.0 * DEGREE * 0.25), 0.01 * evaluation.turns);
   EXPECT_NEAR(evaluation.sideways, 0.0, 1e-3);
+  // Half a turn is half its circumference: 0.785 m, after sqrt(2 s / (5/7 g sin(slope))).
+  ASSERT_TRUE(evaluation.first_roll_s);
+  EXPECT_NEAR(*evaluation.first_roll_s, std::sqrt(2.0 * 180.0 * DEGREE * 0.25 / acceleration), 0.02);
 }
 
 TEST(Quadruped, HingesReachTheirLimitsAndStayWithinThem)
@@ -169,6 +173,7 @@ TEST(Quadruped, AWalkerWalksAndLongerLegsWalkFaster)
   EXPECT_GT(walking.descent, 1.2 * shorter.descent);
   EXPECT_GT(walking.fitness, still.fitness);
   EXPECT_LT(std::abs(walking.turns), 0.1);
+  EXPECT_FALSE(walking.first_roll_s);
   EXPECT_LT(walking.abdomen_contact, 0.2);
 }
 

@@ -30,6 +30,9 @@ struct QuadrupedEvaluation
 
   std::optional<double> first_abdomen_contact_s;  ///< since birth [s]; none: never
 
+  /// When the abdomen had first turned downhill by half a turn, since birth [s]; none: never.
+  std::optional<double> first_roll_s;
+
   uint64_t state_hash = 0;             ///< of the final state of every part; 0 if invalid
   std::optional<int64_t> failed_step;  ///< at which an invalid simulation was given up, counted from 1
 };
