@@ -106,7 +106,7 @@ int evaluateFile(const EvaluateArguments& arguments, const Parameters& parameter
   source.check(settings);
 
   noteInterruptions();
-  ResultStream results(arguments.output, arguments.input);
+  ResultStream results(arguments.output, { arguments.input });
   const int threads = threadCount(parameters);
   const auto farm = makeLocalFarm(settings, threads, instruction_set);
   RobotReader robots = source.read(settings);

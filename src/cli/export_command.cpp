@@ -149,7 +149,7 @@ ExportArguments checked(ExportArguments arguments)
 
 void writeParameters(const std::string& path, const ExperimentSettings& settings)
 {
-  ResultStream file(path, "");
+  ResultStream file(path, { archivePath(settings.output) });
   file.writeLine("# Parameters of the experiment in " + settings.output + ", by devo_evo export.");
   const std::string yaml = parametersAsYaml(settings);
   file.writeLine(yaml.substr(0, yaml.size() - 1));
@@ -169,7 +169,7 @@ int exportFrom(const ExportArguments& given)
   {
     return EXIT_OK;
   }
-  ResultStream results(arguments.out, archivePath(arguments.output));
+  ResultStream results(arguments.out, { archivePath(arguments.output), arguments.parameters });
   const LineSink sink = [&results](const std::string& line) { results.writeLine(line); };
   if (!arguments.individual.empty())
   {

@@ -107,9 +107,14 @@ void importJson(Imported& imported, const std::string& content, const std::strin
 {
   std::istringstream input(content);
   RobotReader reader(input, file, body);
+  const size_t before = imported.lines.size();
   while (const auto robot = reader.next())
   {
     imported.lines.push_back(robotToJson(robot->id, robot->genome, body));
+  }
+  if (imported.lines.size() == before)
+  {
+    throw InvalidInput(file + ": there is no robot in it");
   }
 }
 
@@ -132,7 +137,7 @@ void writeParameters(const ImportArguments& arguments, const Imported& imported,
 {
   ExperimentSettings settings;
   settings.body = imported.settings.value_or(ours);
-  ResultStream file(arguments.parameters, arguments.files.front());
+  ResultStream file(arguments.parameters, arguments.files);
   file.writeLine("# Body and physics of " + arguments.files.front() + ", by devo_evo import.");
   const Parameters parameters = parametersOf(settings.body);
   for (const ParameterSpec& spec : parameterSpecs())
@@ -167,7 +172,9 @@ int importFiles(const ImportArguments& arguments, const Parameters& parameters)
   {
     writeParameters(arguments, imported, ours);
   }
-  ResultStream results(arguments.out, arguments.files.front());
+  std::vector<std::string> others = arguments.files;
+  others.push_back(arguments.parameters);
+  ResultStream results(arguments.out, others);
   for (const std::string& line : imported.lines)
   {
     results.writeLine(line);

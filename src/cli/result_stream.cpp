@@ -10,17 +10,20 @@
 
 namespace devo_evo
 {
-ResultStream::ResultStream(const std::string& path, const std::string& input)
+ResultStream::ResultStream(const std::string& path, const std::vector<std::string>& others)
   : path_(path), stream_(path == "-" ? std::cout : file_)
 {
   if (path == "-")
   {
     return;
   }
-  std::error_code ignored;
-  if (std::filesystem::equivalent(path, input, ignored))
+  for (const std::string& other : others)
   {
-    throw InvalidInput("--out: " + path + " is the input; another file is needed");
+    std::error_code ignored;
+    if (std::filesystem::equivalent(path, other, ignored))
+    {
+      throw InvalidInput(path + " is read or written by this command already; another file is needed");
+    }
   }
   file_.open(path, std::ios::binary | std::ios::trunc);
   check("opened");

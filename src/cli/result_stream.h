@@ -3,6 +3,7 @@
 #include <fstream>
 #include <ostream>
 #include <string>
+#include <vector>
 
 namespace devo_evo
 {
@@ -11,9 +12,9 @@ class ResultStream
 {
 public:
   /// @param path of a file, which is replaced; "-" for standard output.
-  /// @param input that must not be overwritten.
-  /// @throw InvalidInput if both are the same file; std::runtime_error if it cannot be written.
-  ResultStream(const std::string& path, const std::string& input);
+  /// @param others files that the command reads or writes, too: they must not be overwritten.
+  /// @throw InvalidInput if it is one of them; std::runtime_error if it cannot be written.
+  ResultStream(const std::string& path, const std::vector<std::string>& others);
 
   // Each throws std::runtime_error if not everything could be written.
   void writeLine(const std::string& line);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
@@ -7,6 +8,7 @@
 #include <iterator>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -76,6 +78,16 @@ public:
 
   void signal(int number) const { kill(process_, number); }
 
+  /// Waits until it handles a signal instead of ending by it; at most half a minute.
+  void waitUntilCaught(int signal) const
+  {
+    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(30);
+    while (!catches(signal) && std::chrono::steady_clock::now() < deadline)
+    {
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+  }
+
   /// Waits for its end. @return its exit status; 1000 + the signal's number if a signal killed it.
   int finish()
   {
@@ -89,6 +101,19 @@ public:
   std::string err() const { return contentOf(files_.file("err")); }
 
 private:
+  bool catches(int signal) const
+  {
+    std::ifstream status("/proc/" + std::to_string(process_) + "/status");
+    for (std::string word; status >> word;)
+    {
+      if (word == "SigCgt:" && status >> word)
+      {
+        return (std::stoull(word, nullptr, 16) >> (signal - 1) & 1) != 0;
+      }
+    }
+    return false;
+  }
+
   [[noreturn]] void become(const std::vector<std::string>& arguments, const Environment& environment) const
   {
     redirect(files_.file("in"), O_RDONLY, STDIN_FILENO);
