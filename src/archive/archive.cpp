@@ -80,6 +80,11 @@ std::unique_ptr<Archive> openArchiveForWriting(const ExperimentSettings& setting
   return guarded(path, open);
 }
 
+bool archiveHasBegun(const std::string& output)
+{
+  return hasBegun(archivePath(absolutePath(output)));
+}
+
 std::unique_ptr<Archive> openArchiveForReading(const std::string& output)
 {
   const std::string folder = absolutePath(output);

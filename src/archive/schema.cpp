@@ -156,6 +156,19 @@ void distrustSchema(SQLite::Database& database)
 {
   database.exec("PRAGMA trusted_schema = OFF; PRAGMA cell_size_check = ON;");
 }
+
+/// A writer that is killed while it makes the file, or turns it into one plain file at the end, leaves a journal.
+/// SQLite undoes what is in it when somebody opens the file who may write.
+void undoWhatAKilledWriterBegan(const std::string& path)
+{
+  std::error_code error;
+  if (std::filesystem::exists(path + "-journal", error) && access(path.c_str(), W_OK) == 0)
+  {
+    SQLite::Database database(path, SQLite::OPEN_READWRITE, BUSY_TIMEOUT_MS);
+    distrustSchema(database);
+    isReadable(database);
+  }
+}
 }  // namespace
 
 const FileKind& experimentFile()
@@ -202,6 +215,7 @@ Connection connectForReading(const std::string& path)
     throw ArchiveError("there is no archive " + path + (error ? " to be seen (" + error.message() + ")" : "") +
                        "; name the output folder of an experiment");
   }
+  undoWhatAKilledWriterBegan(path);
   SQLite::Database database(path, SQLite::OPEN_READONLY, BUSY_TIMEOUT_MS);
   const std::string folder = std::filesystem::path(path).parent_path().string();
   if (!isReadable(database) && access(folder.c_str(), W_OK) != 0)
@@ -251,6 +265,21 @@ bool createSchema(Connection& connection, const FileKind& kind)
   connection.database().exec("PRAGMA application_id = " + std::to_string(kind.application_id));
   connection.database().exec("PRAGMA user_version = " + std::to_string(kind.version));
   return true;
+}
+
+bool hasBegun(const std::string& path)
+{
+  std::error_code error;
+  if (!std::filesystem::exists(path, error) && !error)
+  {
+    return false;
+  }
+  const auto look = [&]
+  {
+    Connection connection = connectForReading(path);
+    return !isEmpty(connection);
+  };
+  return guarded(path, look);
 }
 
 void checkSchema(Connection& connection, const std::string& path, const FileKind& kind)

@@ -30,6 +30,10 @@ void leaveOneFile(Connection& connection);
 /// Opens an existing file for reading. @throw ArchiveError if there is none.
 Connection connectForReading(const std::string& path);
 
+/// Whether anything was ever committed to the file. Whoever is killed between making it and that leaves an empty one,
+/// which is as good as none. @throw ArchiveError if it cannot be read.
+bool hasBegun(const std::string& path);
+
 /// Makes the tables in a new file. @return false if there are tables already.
 bool createSchema(Connection& connection, const FileKind& kind = experimentFile());
 

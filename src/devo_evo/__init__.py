@@ -19,6 +19,7 @@ _HOMES = {
     "ArchiveError": "errors",
     "DevoEvoError": "errors",
     "InvalidInput": "errors",
+    "NotBegun": "errors",
 }
 
 __all__ = sorted(_HOMES)

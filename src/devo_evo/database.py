@@ -6,7 +6,7 @@ import sqlite3
 
 import pandas as pd
 
-from .errors import ArchiveError
+from .errors import ArchiveError, NotBegun
 
 
 class Database:
@@ -72,10 +72,13 @@ class Database:
     def _check(self, application_id, version):
         try:
             found, found_version = self._pragma("application_id"), self._pragma("user_version")
+            tables = self._connection.execute("SELECT count(*) FROM sqlite_master").fetchone()[0]
         except sqlite3.DatabaseError as error:
             raise ArchiveError(f"{self.name} {self.path}: {error}") from error
+        if not found and not tables:
+            raise NotBegun(f"{self.name} {self.path} is empty: nothing was committed to it yet")
         if found != application_id:
-            raise ArchiveError(f"{self.name} {self.path}: it is not of devo_evo, or has not begun")
+            raise ArchiveError(f"{self.name} {self.path}: it is a database of another program")
         if found_version != version:
             raise ArchiveError(
                 f"{self.name} {self.path}: its tables are of version {found_version}, of which this devo_evo knows "
@@ -85,6 +88,8 @@ class Database:
 
 def _connect(path):
     uri = path.resolve().as_uri()
+    if pathlib.Path(str(path) + "-journal").exists() and os.access(path, os.W_OK):
+        _undo_what_a_killed_writer_began(uri)
     connection = sqlite3.connect(uri + "?mode=ro", uri=True, isolation_level=None, timeout=10.0)
     try:
         connection.execute("PRAGMA trusted_schema = OFF")
@@ -100,3 +105,15 @@ def _connect(path):
     connection = sqlite3.connect(uri + "?immutable=1", uri=True, isolation_level=None)
     connection.execute("PRAGMA trusted_schema = OFF")
     return connection
+
+
+def _undo_what_a_killed_writer_began(uri):
+    """SQLite does that when somebody opens the file who may write."""
+    connection = sqlite3.connect(uri + "?mode=rw", uri=True, isolation_level=None, timeout=10.0)
+    try:
+        connection.execute("PRAGMA trusted_schema = OFF")
+        connection.execute("SELECT count(*) FROM sqlite_master").fetchone()
+    except sqlite3.DatabaseError:
+        pass  # whoever reads the file now says what is wrong with it
+    finally:
+        connection.close()

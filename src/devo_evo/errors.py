@@ -11,3 +11,7 @@ class InvalidInput(DevoEvoError, ValueError):
 
 class ArchiveError(DevoEvoError):
     """An archive cannot be read, or contradicts itself."""
+
+
+class NotBegun(ArchiveError):
+    """An archive is empty: its writer was killed between making the file and its first commit, or is there just now."""

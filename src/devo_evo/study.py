@@ -11,7 +11,7 @@ import pandas as pd
 from .archive import Archive
 from .caching import remembered
 from .database import Database
-from .errors import ArchiveError
+from .errors import ArchiveError, NotBegun
 
 APPLICATION_ID = 0x6465766F + 1
 VERSION = 1
@@ -96,8 +96,7 @@ class Study:
     def archive(self, arm):
         """The archive of an arm; None if it has not begun."""
         if arm not in self._archives:
-            folder = self.output / arm
-            self._archives[arm] = Archive(folder) if (folder / "experiment.db").is_file() else None
+            self._archives[arm] = _begun(self.output / arm)
         return self._archives[arm]
 
     def main(self, treatment):
@@ -270,6 +269,16 @@ class Study:
             if column in frame:
                 frame[column] = frame[column].astype(float)
         return frame
+
+
+def _begun(folder):
+    """The archive in a folder; None if there is none, or nothing in it yet."""
+    if not (folder / "experiment.db").is_file():
+        return None
+    try:
+        return Archive(folder)
+    except NotBegun:
+        return None
 
 
 def counted(number, noun):

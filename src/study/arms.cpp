@@ -4,7 +4,7 @@
 #include "devo_evo/soft_body/text.h"
 
 #include <algorithm>
-#include <filesystem>
+#include <iterator>
 
 namespace devo_evo
 {
@@ -89,12 +89,12 @@ std::vector<Arm> analysedArms(const Parameters& parameters)
 {
   std::vector<Arm> arms = armsOf(StudyPart::MAIN, parameters);
   const std::vector<Arm> partial = armsOf(StudyPart::PARTIAL, parameters);
-  std::copy_if(partial.begin(), partial.end(), std::back_inserter(arms), exists);
+  std::copy_if(partial.begin(), partial.end(), std::back_inserter(arms), hasBegun);
   return arms;
 }
 
-bool exists(const Arm& arm)
+bool hasBegun(const Arm& arm)
 {
-  return std::filesystem::exists(archivePath(arm.settings.output));
+  return archiveHasBegun(arm.settings.output);
 }
 }  // namespace devo_evo

@@ -21,6 +21,6 @@ std::vector<Arm> armsOf(StudyPart part, const Parameters& parameters);
 /// The arms whose run champions are analysed: those of MAIN and, if they have been begun, of PARTIAL.
 std::vector<Arm> analysedArms(const Parameters& parameters);
 
-/// Whether the arm's archive exists.
-bool exists(const Arm& arm);
+/// Whether the arm's archive can be read.
+bool hasBegun(const Arm& arm);
 }  // namespace devo_evo

@@ -14,13 +14,14 @@ std::vector<RunChampion> runChampions(const Parameters& parameters)
   std::vector<RunChampion> champions;
   for (const Arm& arm : analysedArms(parameters))
   {
-    if (!exists(arm))
+    const auto archive = hasBegun(arm) ? openArchiveForReading(arm.settings.output) : nullptr;
+    const auto states = archive ? archive->trialStates() : std::map<int64_t, TrialState>();
+    if (states.empty() && arm.part == StudyPart::MAIN)
     {
-      throw InvalidInput("there is no " + archivePath(arm.settings.output) +
+      throw InvalidInput("there is no generation in " + archivePath(arm.settings.output) +
                          ": analyses are about its champions; run the part main first");
     }
-    const auto archive = openArchiveForReading(arm.settings.output);
-    for (const auto& [trial, state] : archive->trialStates())
+    for (const auto& [trial, state] : states)
     {
       if (trial <= arm.settings.trials)
       {

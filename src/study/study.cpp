@@ -40,7 +40,7 @@ private:
 /// Whether every trial is as long as wanted.
 bool isFinished(const Arm& arm)
 {
-  if (!exists(arm))
+  if (!hasBegun(arm))
   {
     return false;
   }

@@ -1,13 +1,11 @@
 #include "study/workload.h"
 
-#include "archive/connection.h"
 #include "study/champions.h"
 #include "study/study_tables.h"
 #include "study/walk.h"
 #include "study/worlds.h"
 
 #include <algorithm>
-#include <filesystem>
 
 namespace devo_evo
 {
@@ -25,7 +23,7 @@ Workload ofEvolution(StudyPart part, const Parameters& parameters)
   {
     const ExperimentSettings& settings = arm.settings;
     load.evaluations += settings.trials * evaluationsOf(settings.evolution, settings.generations);
-    if (exists(arm))
+    if (hasBegun(arm))
     {
       for (const auto& [trial, state] : openArchiveForReading(settings.output)->trialStates())
       {
@@ -131,7 +129,7 @@ std::vector<Workload> workloads(const Parameters& parameters)
 {
   const bool evolved = ofEvolution(StudyPart::MAIN, parameters).left == 0;
   const std::string database = studyDatabasePath(parameters.experiment.output);
-  const bool begun = evolved && std::filesystem::exists(database);
+  const bool begun = evolved && hasBegun(database);
   const std::vector<Subject> about = subjects(parameters, evolved);
   std::vector<Workload> loads;
   for (const StudyPart part : partsOf(parameters.study))

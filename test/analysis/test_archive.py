@@ -4,6 +4,7 @@
 import os
 import pathlib
 import shutil
+import signal
 import sqlite3
 import subprocess
 import sys
@@ -106,6 +107,19 @@ class FramesTest(TemporaryFolderTest):
         archive.refresh()
         self.assertEqual(archive.trials()["generations"].tolist(), [4, 3])
 
+    def test_what_a_writer_began_that_was_killed_is_undone(self):
+        process = os.fork()
+        if process == 0:
+            database = sqlite3.connect(self.output / "experiment.db", isolation_level=None)
+            database.execute("PRAGMA cache_size = 1")
+            database.execute("BEGIN IMMEDIATE")
+            database.execute("UPDATE individuals SET fitness = 99.0 WHERE valid")
+            database.execute("CREATE TABLE large AS SELECT zeroblob(1000000)")  # does not fit into its memory
+            os.kill(os.getpid(), signal.SIGKILL)
+        os.waitpid(process, 0)
+        self.assertTrue((self.output / "experiment.db-journal").exists())
+        self.assertEqual(self.archive(self.output).run_champions()["fitness"].tolist(), [3.0, 0.8])
+
     def test_it_is_read_in_a_folder_that_must_not_be_written(self):
         self.output.chmod(0o500)
         self.addCleanup(self.output.chmod, 0o700)
@@ -147,8 +161,11 @@ class OddArchivesTest(TemporaryFolderTest):
         with self.assertRaisesRegex(devo_evo.ArchiveError, "there is no archive"):
             devo_evo.Archive(self.folder)
         (self.folder / "experiment.db").write_bytes(b"")
-        with self.assertRaisesRegex(devo_evo.ArchiveError, "not of devo_evo"):
+        with self.assertRaisesRegex(devo_evo.ArchiveError, "nothing was committed"):
             devo_evo.Archive(self.folder)
+        sqlite3.connect(self.folder / "recipes.db").execute("CREATE TABLE recipes (name TEXT)").connection.close()
+        with self.assertRaisesRegex(devo_evo.ArchiveError, "of another program"):
+            devo_evo.Archive(self.folder / "recipes.db")
         (self.folder / "experiment.db").write_bytes(b"no database " * 100)
         with self.assertRaisesRegex(devo_evo.ArchiveError, "not a database"):
             devo_evo.Archive(self.folder)

@@ -3,6 +3,7 @@
 
 import os
 import pathlib
+import shutil
 import subprocess
 import tempfile
 import unittest
@@ -60,6 +61,14 @@ class StudyTest(unittest.TestCase):
             self.study.mutational_impact(),
         ):
             self.assertGreater(len(frame), 0)
+
+    def test_an_arm_whose_archive_was_only_just_made_has_not_begun(self):
+        copy = pathlib.Path(self.temporary.name) / "killed"
+        shutil.copytree(self.folder / "study", copy)
+        (copy / "sweep" / "evo-8_48" / "experiment.db").write_bytes(b"")
+        with devo_evo.open_study(copy) as study:
+            self.assertEqual(len(study.sweep()), 3)
+            self.assertEqual(set(study.sweep()), set(self.study.sweep()) - {("evo", 8 / 48)})
 
     def test_removed_champions_are_those_frozen_at_birth_to_the_last_bit(self):
         archive = self.study.main("evo_devo")

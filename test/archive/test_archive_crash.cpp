@@ -2,6 +2,7 @@
 
 #include "devo_evo/archive/archive.h"
 
+#include "archive/schema.h"
 #include "archive/test_tools.h"
 
 #include <gtest/gtest.h>
@@ -135,6 +136,33 @@ TEST_F(CrashTest, aWriterKilledWhileItBeginsLeavesAFolderThatCanBeUsed)
     evolve(*archive, settings_, TRIAL, 20);
     EXPECT_EQ(integrity(), "ok");
   }
+}
+
+TEST_F(CrashTest, anArchiveHasBegunOnceSomethingWasCommitted)
+{
+  EXPECT_FALSE(archiveHasBegun(settings_.output));
+  EXPECT_FALSE(archiveHasBegun(settings_.output + "/nowhere"));
+  doAndBeKilled([&] { connectForWriting(archivePath(settings_.output), 0); });
+  ASSERT_TRUE(std::filesystem::exists(archivePath(settings_.output)));
+  EXPECT_FALSE(archiveHasBegun(settings_.output));
+  openArchiveForWriting(settings_, someProvenance());
+  EXPECT_TRUE(archiveHasBegun(settings_.output));
+}
+
+TEST_F(CrashTest, readersUndoWhatAWriterBeganThatWasKilledWithoutALog)
+{
+  evolve(*openArchiveForWriting(settings_, someProvenance()), settings_, TRIAL, 50);
+  const std::string digest = openArchiveForReading(settings_.output)->digest();
+  doAndBeKilled(
+      [&]
+      {
+        SQLite::Database database = openFile(settings_.output, SQLite::OPEN_READWRITE);
+        database.exec("PRAGMA cache_size = 1; BEGIN IMMEDIATE; UPDATE individuals SET age = age + 1");
+        raise(SIGKILL);  // a part of it is in the file already
+      });
+  ASSERT_TRUE(std::filesystem::exists(archivePath(settings_.output) + "-journal"));
+  EXPECT_TRUE(archiveHasBegun(settings_.output));
+  EXPECT_EQ(openArchiveForReading(settings_.output)->digest(), digest);
 }
 
 TEST_F(CrashTest, manyReadWhileOneWrites)

@@ -5,6 +5,7 @@
 
 #include <SQLiteCpp/SQLiteCpp.h>
 
+#include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -150,6 +151,18 @@ inline bool succeedsAsOrdinaryUser(const std::function<bool()>& operation)
   int status = 1;
   waitpid(child, &status, 0);
   return status == 0;
+}
+
+/// Does something in a process of its own, which is killed when it is done: no destructor runs, nothing is closed.
+inline void doAndBeKilled(const std::function<void()>& operation)
+{
+  const pid_t child = fork();
+  if (child == 0)
+  {
+    operation();
+    raise(SIGKILL);
+  }
+  waitpid(child, nullptr, 0);
 }
 
 /// What an operation throws, or "" if nothing.

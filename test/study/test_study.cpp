@@ -2,7 +2,9 @@
 #include "study/study_tools.h"
 
 #include "archive/bytes.h"
+#include "archive/schema.h"
 #include "study/arms.h"
+#include "study/study_database.h"
 #include "study/workload.h"
 
 #include <gtest/gtest.h>
@@ -125,6 +127,30 @@ TEST_F(StudyTest, isTheSameHoweverOftenItIsStopped)
   EXPECT_EQ(contentOfStudy(folder_.path()), contentOfStudy(undisturbed.path()));
 }
 
+TEST_F(StudyTest, goesOnWhereItWasKilledBetweenMakingAFileAndItsFirstCommit)
+{
+  std::vector<std::string> files = { studyDatabasePath(folder_.path()) };
+  for (const StudyPart part : { StudyPart::MAIN, StudyPart::PARTIAL, StudyPart::BASELINES, StudyPart::SWEEP })
+  {
+    for (const Arm& arm : armsOf(part, study_))
+    {
+      std::filesystem::create_directories(arm.settings.output);
+      files.push_back(archivePath(arm.settings.output));
+    }
+  }
+  for (const std::string& file : files)
+  {
+    doAndBeKilled([&] { connectForWriting(file, 0); });
+    ASSERT_TRUE(std::filesystem::exists(file));
+  }
+  EXPECT_NE(estimateText(study_, 1, InstructionSet::SCALAR), "");
+  runSmall(study_);
+  TemporaryFolder undisturbed;
+  runSmall(smallStudy(undisturbed.path()));
+  EXPECT_EQ(contentOfStudy(folder_.path()), contentOfStudy(undisturbed.path()));
+  EXPECT_NE(estimateText(study_, 1, InstructionSet::SCALAR), "");
+}
+
 TEST_F(StudyTest, doesNothingTwice)
 {
   study_.study.only = { StudyPart::MAIN, StudyPart::REMOVED, StudyPart::WALKS, StudyPart::LINEAGES, StudyPart::IMPACT };
@@ -167,7 +193,7 @@ TEST_F(StudyTest, saysWhatAPartNeeds)
 {
   study_.study.only = { StudyPart::WALKS };
   EXPECT_EQ(messageOf<InvalidInput>([&] { runSmall(study_); }),
-            "there is no " + folder_.path() +
+            "there is no generation in " + folder_.path() +
                 "/main/evo/experiment.db: analyses are about its champions; run the part main first");
 }
 

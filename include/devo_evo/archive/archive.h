@@ -159,8 +159,13 @@ std::string archivePath(const std::string& output);
 std::unique_ptr<Archive> openArchiveForWriting(const ExperimentSettings& settings, const Provenance& provenance,
                                                int64_t maximum_size = 0);
 
+/// Whether there is an archive that can be opened for reading. An evolver that is killed between making the file and
+/// its first commit leaves an empty one, which is as good as none.
+/// @throw ArchiveError if there is a file that cannot be looked into.
+bool archiveHasBegun(const std::string& output);
+
 /// Opens an existing archive for reading, also while an evolver writes to it, after one was killed, and in a folder
 /// that must not be written.
-/// @throw ArchiveError if there is none, or if it is damaged, not ours, or of a newer version.
+/// @throw ArchiveError if there is none, or if it is empty, damaged, not ours, or of a newer version.
 std::unique_ptr<Archive> openArchiveForReading(const std::string& output);
 }  // namespace devo_evo
