@@ -11,6 +11,13 @@ if(NOT CATKIN_DEVEL_PREFIX)
   file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/devel/lib/python3/dist-packages)
 endif()
 
+# catkin installs its set-up files and the Python module to the prefix that was configured, whatever cmake --install is told.
+install(CODE "
+  if(NOT CMAKE_INSTALL_PREFIX STREQUAL [==[${CMAKE_INSTALL_PREFIX}]==])
+    message(FATAL_ERROR \"This build installs to ${CMAKE_INSTALL_PREFIX} only: configure it with \"
+      \"-DCMAKE_INSTALL_PREFIX=\${CMAKE_INSTALL_PREFIX}, or set DESTDIR.\")
+  endif()")
+
 find_package(catkin REQUIRED COMPONENTS
   diagnostic_msgs geometry_msgs message_generation rosbag_storage roscpp sensor_msgs std_msgs std_srvs tf2_msgs
   tf2_ros topic_tools visualization_msgs)

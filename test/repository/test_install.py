@@ -66,6 +66,21 @@ class InstallTest(unittest.TestCase):
                          "share/devo_evo/cmake/devo_evoConfig.cmake", "include/devo_evo/RobotGenome.h"]
         self.assertEqual([path for path in expected if not (self.prefix / path).exists()], [])
 
+    @unittest.skipUnless(WITH_ROS, "without catkin, every prefix will do")
+    def test_another_prefix_than_the_configured_one_is_refused_before_anything_is_installed(self):
+        elsewhere = pathlib.Path(self.folder.name) / "elsewhere"
+        done = subprocess.run(["cmake", "--install", BUILD, "--prefix", elsewhere], capture_output=True, text=True, check=False)
+        self.assertNotEqual(done.returncode, 0)
+        self.assertIn(f"configure it with -DCMAKE_INSTALL_PREFIX={elsewhere}", " ".join(done.stderr.split()))
+        self.assertFalse(elsewhere.exists())
+
+    def test_the_python_module_is_found_by_the_tool_and_by_python(self):
+        modules = self.prefix / "lib/python3/dist-packages"
+        self.assertTrue((modules / "devo_evo/claims/__init__.py").exists(), modules)
+        found = run("/usr/bin/python3", "-c", "import devo_evo; print(devo_evo.__file__)",
+                    env={**os.environ, "PYTHONPATH": str(modules)})
+        self.assertTrue(found.startswith(str(modules)), found)
+
     def test_the_tool_runs(self):
         self.assertTrue(run(self.prefix / "bin/devo_evo", "--version").startswith("devo_evo "))
         self.assertIn("body lengths", run(self.prefix / "bin/devo_evo", "explain", "fitness"))
