@@ -312,6 +312,17 @@ EvaluateGenomes::Request toRequest(const std::vector<EvaluationRequest>& robots,
   return request;
 }
 
+std::optional<std::string> quarantineOf(const EvaluateGenomes::Request& request)
+{
+  if (request.quarantine.empty())
+  {
+    return std::nullopt;
+  }
+  requireLabel("quarantine", request.quarantine);
+  require(request.genomes.empty(), "a request with robots for a simulator that is to be quarantined");
+  return request.quarantine;
+}
+
 std::vector<EvaluationRequest> robotsOf(const EvaluateGenomes::Request& request, const SoftBodySettings& settings)
 {
   const size_t count = request.genomes.size();

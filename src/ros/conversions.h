@@ -18,6 +18,7 @@
 
 #include <ros/time.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -55,6 +56,10 @@ Evaluation fromMsg(const RobotEvaluation& message, const SoftBodySettings& setti
 /// A request to simulate.
 EvaluateGenomes::Request toRequest(const std::vector<EvaluationRequest>& robots, const SoftBodySettings& settings,
                                    uint64_t engine_fingerprint);
+
+/// Why the simulator that is asked is quarantined; nothing if it is not. @throw InvalidInput unless it is a text for
+/// people, at most 255 printable ASCII characters, in a request without robots.
+std::optional<std::string> quarantineOf(const EvaluateGenomes::Request& request);
 
 /// The robots of a request to simulate. @throw InvalidInput if there are more than MAX_GENOMES, if the arrays differ in
 /// size, or if a genome is not one.

@@ -64,7 +64,7 @@ EvolverNode::EvolverNode(const Parameters& parameters)
 EvolverNode::EvolverNode(const Parameters& parameters, const ExperimentSettings& settings, uint64_t fingerprint)
   : settings_(settings)
   , archive_(openArchiveForWriting(settings_, provenanceOf(fingerprint)))
-  , farm_(node_, farmSettings(parameters, settings_.body, fingerprint))
+  , farm_(node_, farmSettings(parameters, settings_.body, fingerprint), signs_of_life_)
   , experiment_(settings_, *archive_, farm_, *this)
   , archive_services_(node_, settings_.output)
   , idle_warning_(node_.resolveName("simulators"))
@@ -81,7 +81,7 @@ EvolverNode::EvolverNode(const Parameters& parameters, const ExperimentSettings&
   stop_ = node_.advertiseService("stop", &EvolverNode::stop, this);
   std::vector<std::string> services = archive_services_.names();
   services.insert(services.end(), { pause_.getService(), resume_.getService(), stop_.getService() });
-  master_watch_ = std::make_unique<MasterWatch>(std::move(services));
+  master_watch_ = std::make_unique<MasterWatch>(std::move(services), signs_of_life_, node_.resolveName("simulators"));
 
   status_.output = settings_.output;
   status_.trials = settings_.trials;

@@ -62,6 +62,7 @@ private:
   const ExperimentSettings settings_;
   ros::NodeHandle node_;
   std::unique_ptr<Archive> archive_;
+  const std::shared_ptr<SignsOfLife> signs_of_life_ = std::make_shared<SignsOfLife>();
   RosFarm farm_;
   Experiment experiment_;
   ArchiveServices archive_services_;

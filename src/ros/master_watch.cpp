@@ -1,5 +1,7 @@
 #include "ros/master_watch.h"
 
+#include "ros/master_calls.h"
+
 #include <ros/connection_manager.h>
 #include <ros/console.h>
 #include <ros/master.h>
@@ -23,6 +25,8 @@ using XmlRpc::XmlRpcValue;
 
 constexpr std::chrono::seconds PERIOD{ 2 };
 constexpr std::chrono::seconds CLOSE_TIMEOUT{ 2 };
+constexpr int LOOKS_PER_CHECK = 5;  // so that those who are gone are looked for every ten seconds,
+constexpr int PATIENCE = 6;         // and are taken off after a minute
 
 enum class Acquaintance
 {
@@ -30,17 +34,6 @@ enum class Acquaintance
   UNKNOWN,
   NO_MASTER
 };
-
-XmlRpcValue listOf(const std::vector<std::string>& texts)
-{
-  XmlRpcValue list;
-  list.setSize(0);
-  for (size_t i = 0; i < texts.size(); ++i)
-  {
-    list[static_cast<int>(i)] = texts[i];
-  }
-  return list;
-}
 
 std::string ownUri()
 {
@@ -51,28 +44,18 @@ Acquaintance askMaster()
 {
   XmlRpcValue response;
   XmlRpcValue uri;
-  const std::string& name = ros::this_node::getName();
-  if (ros::master::execute("lookupNode", listOf({ name, name }), response, uri, false))
+  if (callMaster("lookupNode", { ros::this_node::getName() }, uri, "", response))
   {
     return Acquaintance::KNOWN;
   }
   return response.getType() == XmlRpcValue::TypeArray ? Acquaintance::UNKNOWN : Acquaintance::NO_MASTER;
 }
 
-/// @return whether the master has taken it.
-bool tellMaster(const std::string& method, const std::vector<std::string>& arguments, XmlRpcValue& answer)
-{
-  XmlRpcValue response;
-  return ros::master::execute(method, listOf(arguments), response, answer, false);
-}
-
 bool registerPublication(const std::string& topic)
 {
   const ros::PublicationPtr publication = ros::TopicManager::instance()->lookupPublication(topic);
   XmlRpcValue subscribers;  // they connect by themselves
-  return !publication ||
-         tellMaster("registerPublisher", { ros::this_node::getName(), topic, publication->getDataType(), ownUri() },
-                    subscribers);
+  return !publication || callMaster("registerPublisher", { topic, publication->getDataType(), ownUri() }, subscribers);
 }
 
 /// Hands the publishers that have registered before us to roscpp, by the call with which the master tells of later
@@ -85,7 +68,9 @@ void connectTo(const std::string& topic, const XmlRpcValue& publishers)
   {
     return;
   }
-  XmlRpcValue request = listOf({ "/master", topic });
+  XmlRpcValue request;
+  request[0] = "/master";
+  request[1] = topic;
   request[2] = publishers;
   XmlRpcValue response;
   XmlRpc::XmlRpcClient* const client =
@@ -97,7 +82,7 @@ void connectTo(const std::string& topic, const XmlRpcValue& publishers)
 bool registerSubscription(const std::string& topic)
 {
   XmlRpcValue publishers;
-  if (!tellMaster("registerSubscriber", { ros::this_node::getName(), topic, "*", ownUri() }, publishers))
+  if (!callMaster("registerSubscriber", { topic, "*", ownUri() }, publishers))
   {
     return false;
   }
@@ -113,14 +98,17 @@ bool registerService(const std::string& service)
   const std::string address =
       "rosrpc://" + ros::network::getHost() + ":" + std::to_string(ros::ConnectionManager::instance()->getTCPPort());
   XmlRpcValue answer;
-  return tellMaster("registerService", { ros::this_node::getName(), service, address, ownUri() }, answer);
+  return callMaster("registerService", { service, address, ownUri() }, answer);
 }
 }  // namespace
 
 class MasterWatch::State
 {
 public:
-  explicit State(std::vector<std::string> services) : services_(std::move(services)) {}
+  State(std::vector<std::string> services, std::shared_ptr<SignsOfLife> signs_of_life, const std::string& topic)
+    : services_(std::move(services)), signs_of_life_(std::move(signs_of_life)), departed_(topic, PATIENCE)
+  {
+  }
 
   void run()
   {
@@ -129,6 +117,10 @@ public:
     {
       lock.unlock();
       look();
+      if (signs_of_life_ && !missing_ && ++looks_ % LOOKS_PER_CHECK == 0)
+      {
+        departed_.check(signs_of_life_->living());
+      }
       lock.lock();
     }
     ended_ = true;
@@ -158,7 +150,9 @@ private:
     else if (acquaintance == Acquaintance::UNKNOWN && registerAll())
     {
       missing_ = false;
-      ROS_WARN_STREAM("the ROS master at " << ros::master::getURI() << " was started anew; registered with it again");
+      ROS_WARN_STREAM("the ROS master at " << ros::master::getURI()
+                                           << " did not know this node: it was started anew, or this host was out of "
+                                              "reach for long; registered with it again");
     }
     else if (acquaintance == Acquaintance::KNOWN && missing_)
     {
@@ -191,14 +185,19 @@ private:
   }
 
   const std::vector<std::string> services_;
+  const std::shared_ptr<SignsOfLife> signs_of_life_;
+  DepartedNodes departed_;  // this, and what else has no lock, is of the thread alone
+  int looks_ = 0;
   std::mutex mutex_;
   std::condition_variable changed_;
   bool closing_ = false;
   bool ended_ = false;
-  bool missing_ = false;  // of the thread alone
+  bool missing_ = false;
 };
 
-MasterWatch::MasterWatch(std::vector<std::string> services) : state_(std::make_shared<State>(std::move(services)))
+MasterWatch::MasterWatch(std::vector<std::string> services, std::shared_ptr<SignsOfLife> signs_of_life,
+                         const std::string& topic)
+  : state_(std::make_shared<State>(std::move(services), std::move(signs_of_life), topic))
 {
   std::thread([state = state_] { state->run(); }).detach();
 }

@@ -30,6 +30,10 @@ void noteInterruption(int /*signal*/)
   interrupted = true;
 }
 
+void goOn(int /*signal*/)
+{
+}
+
 void onInterruption(void (*handler)(int))
 {
   for (const int signal : { SIGINT, SIGTERM, SIGHUP })
@@ -66,9 +70,15 @@ bool ScopedInterruption::happened()
   return interrupted;
 }
 
+void surviveAssertions()
+{
+  std::signal(SIGTRAP, goOn);
+}
+
 int runNode(const std::function<int()>& body)
 {
   onInterruption(requestShutdown);
+  surviveAssertions();
   std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);  // so that messages come in time through pipes, too
   try
   {

@@ -6,9 +6,14 @@
 namespace devo_evo
 {
 /// Runs the body of a node's main(), after ros::init() with NoSigintHandler: SIGINT, SIGTERM and SIGHUP shut ROS down,
-/// and an exception is logged as one clear line.
+/// and an exception is logged as one clear line. Assertions of ROS do not end it: surviveAssertions().
 /// @return the process's exit status: that of the body; 1 after an exception.
 int runNode(const std::function<int()>& body);
+
+/// From now on a ROS_ASSERT that fails says so, and the program goes on, as it does with the ROS of its makers, who
+/// compile it without assertions; Debian leaves them in. One of them can fail when a publisher ends while roscpp
+/// connects to it on a busy machine: its thread for retries then overtakes the one that makes the first connection.
+void surviveAssertions();
 
 /// Logs a message also where ROS has been shut down, after which its log says nothing more.
 void say(const std::string& text);

@@ -7,7 +7,10 @@
 #include <ros/console.h>
 #include <ros/service_client.h>
 
+#include <algorithm>
+#include <chrono>
 #include <mutex>
+#include <utility>
 
 namespace devo_evo
 {
@@ -79,8 +82,10 @@ SimulatorFarmSettings farmSettings(const Parameters& parameters, const SoftBodyS
   return settings;
 }
 
-RosFarm::RosFarm(ros::NodeHandle node, const SimulatorFarmSettings& settings)
-  : farm_(
+RosFarm::RosFarm(ros::NodeHandle node, const SimulatorFarmSettings& settings,
+                 std::shared_ptr<SignsOfLife> signs_of_life)
+  : signs_of_life_(std::move(signs_of_life))
+  , farm_(
         settings,
         [](const SimulatorAnnouncement& simulator) { return std::make_shared<ServiceConnection>(simulator.service); },
         [body = settings.body](const DevelopmentalProgram& robot, const std::atomic<bool>& stop)
@@ -106,6 +111,10 @@ void RosFarm::heardFrom(const SimulatorAnnouncement& announcement)
     ROS_WARN_STREAM_THROTTLE(10.0, "ignored an announcement of a simulator: " << e.what());
     return;
   }
+  constexpr std::chrono::duration<double> shortest_memory(10.0);
+  const std::chrono::duration<double> memory(10.0 * announcement.period);
+  signs_of_life_->note(announcement.name,
+                       std::chrono::duration_cast<SignsOfLife::Clock::duration>(std::max(memory, shortest_memory)));
   farm_.heardFrom(announcement);
 }
 }  // namespace devo_evo

@@ -1,10 +1,13 @@
 #pragma once
 
 #include "devo_evo/experiment/parameters.h"
+#include "ros/departed_nodes.h"
 #include "ros/simulator_farm.h"
 
 #include <ros/node_handle.h>
 #include <ros/subscriber.h>
+
+#include <memory>
 
 namespace devo_evo
 {
@@ -16,8 +19,8 @@ class RosFarm : public Farm
 {
 public:
   /// @param node in whose namespace the topic lies. Announcements arrive by its callback queue, which somebody must
-  /// serve.
-  RosFarm(ros::NodeHandle node, const SimulatorFarmSettings& settings);
+  /// serve. @param signs_of_life where simulators that are heard of are noted.
+  RosFarm(ros::NodeHandle node, const SimulatorFarmSettings& settings, std::shared_ptr<SignsOfLife> signs_of_life);
 
   void submit(std::vector<EvaluationRequest> requests) override { farm_.submit(std::move(requests)); }
   std::vector<EvaluationResult> collect(std::chrono::milliseconds timeout) override { return farm_.collect(timeout); }
@@ -29,6 +32,7 @@ public:
 private:
   void heardFrom(const SimulatorAnnouncement& announcement);
 
+  const std::shared_ptr<SignsOfLife> signs_of_life_;
   SimulatorFarm farm_;
   ros::Subscriber announcements_;
 };

@@ -58,7 +58,7 @@ std::optional<SimulatorSession> SimulatorFarm::State::announced(const SimulatorA
     }
     simulator.announcement = announcement;
     simulator.last_heard = now;
-    if (simulator.state == WorkerState::LOST && now >= simulator.retry_at)
+    if (mayBeCalled(simulator, now))
     {
       session = openSession(simulator, connector);
     }
@@ -69,19 +69,34 @@ std::optional<SimulatorSession> SimulatorFarm::State::announced(const SimulatorA
 
 SimulatorSession SimulatorFarm::State::openSession(SimulatorRecord& simulator, const SimulatorConnector& connector)
 {
-  const SimulatorAnnouncement& announcement = simulator.announcement;
-  simulator.state = WorkerState::CONNECTING;
-  if (announcement.engine_fingerprint != settings_.engine_fingerprint)
+  if (!simulator.rejected())
   {
-    simulator.state = WorkerState::REFUSED;
-    simulator.reason = engineMismatch(announcement, settings_.engine_fingerprint);
-    ROS_ERROR_STREAM("refused " << describe(announcement) << ": " << simulator.reason);
+    greet(simulator);
   }
   simulator.session = ++sessions_;
-  simulator.connection = connector(announcement);
+  simulator.connection = connector(simulator.announcement);
   simulator.call_began = Clock::now();
+  simulator.told = true;  // unless the call fails
   ++threads_;
-  return { announcement.name, simulator.session, simulator.connection };
+  return { simulator.name(), simulator.session, simulator.connection,
+           simulator.state == WorkerState::QUARANTINED ? simulator.reason : "" };
+}
+
+void SimulatorFarm::State::greet(SimulatorRecord& simulator)
+{
+  simulator.state = WorkerState::CONNECTING;
+  if (simulator.announcement.engine_fingerprint != settings_.engine_fingerprint)
+  {
+    simulator.state = WorkerState::REFUSED;
+    simulator.reason = engineMismatch(simulator.announcement, settings_.engine_fingerprint);
+    ROS_ERROR_STREAM("refused " << describe(simulator.announcement) << ": " << simulator.reason);
+  }
+}
+
+bool SimulatorFarm::State::mayBeCalled(const SimulatorRecord& simulator, Clock::time_point now)
+{
+  return (simulator.state == WorkerState::LOST || (simulator.rejected() && !simulator.told)) &&
+         now >= simulator.retry_at;
 }
 
 void SimulatorFarm::State::serve(const SimulatorSession& session)
@@ -107,8 +122,8 @@ void SimulatorFarm::State::serve(const SimulatorSession& session)
 std::optional<std::string> SimulatorFarm::State::work(const SimulatorSession& session)
 {
   const std::string broken = "the connection failed";
-  // Asking for nothing first shows that the connection works, and tells a simulator that is refused so.
-  if (!ask(*session.connection, {}))
+  // Asking for nothing first shows that the connection works, and tells a simulator that is refused or quarantined so.
+  if (!ask(*session.connection, {}, session.quarantine))
   {
     return broken;
   }
@@ -135,10 +150,13 @@ void SimulatorFarm::State::abandon(const SimulatorSession& session, const std::s
 }
 
 std::optional<std::vector<Evaluation>> SimulatorFarm::State::ask(SimulatorConnection& connection,
-                                                                 const std::vector<EvaluationRequest>& robots) const
+                                                                 const std::vector<EvaluationRequest>& robots,
+                                                                 const std::string& quarantine) const
 {
+  EvaluateGenomes::Request request = toRequest(robots, settings_.body, settings_.engine_fingerprint);
+  request.quarantine = quarantine;
   EvaluateGenomes::Response response;
-  if (!connection.call(toRequest(robots, settings_.body, settings_.engine_fingerprint), response))
+  if (!connection.call(request, response))
   {
     return std::nullopt;
   }
@@ -153,11 +171,12 @@ bool SimulatorFarm::State::connected(const SimulatorSession& session)
   {
     return false;
   }
-  simulator->call_began.reset();
   if (simulator->rejected())
   {
+    endSession(*simulator);
     return false;
   }
+  simulator->call_began.reset();
   ROS_INFO_STREAM(describe(simulator->announcement) << (simulator->losses == 0 ? " joined" : " is back"));
   simulator->state = WorkerState::IDLE;
   return true;
@@ -214,8 +233,13 @@ void SimulatorFarm::State::answeredNonsense(const SimulatorSession& session, con
 {
   std::lock_guard<std::mutex> lock(mutex_);
   SimulatorRecord* const simulator = find(session);
-  if (simulator == nullptr || simulator->rejected())
+  if (simulator == nullptr)
   {
+    return;
+  }
+  if (simulator->rejected())
+  {
+    endSession(*simulator);  // it has been told, whatever it says to that
     return;
   }
   lose(*simulator, what);
@@ -239,10 +263,18 @@ void SimulatorFarm::State::fail(const SimulatorSession& session, const std::stri
   }
   if (simulator->rejected())
   {
-    simulator->call_began.reset();
+    tellAgain(*simulator);
     return;
   }
   lose(*simulator, reason);
+}
+
+/// It may not know yet that it is rejected: when it announces itself next.
+void SimulatorFarm::State::tellAgain(SimulatorRecord& simulator)
+{
+  simulator.told = false;
+  putOff(simulator);
+  endSession(simulator);
 }
 
 void SimulatorFarm::State::threadEnded()
@@ -254,18 +286,23 @@ void SimulatorFarm::State::threadEnded()
 
 std::shared_ptr<SimulatorConnection> SimulatorFarm::State::lose(SimulatorRecord& simulator, const std::string& reason)
 {
-  constexpr std::chrono::duration<double> longest_retry_delay{ 60.0 };
   const size_t robots = ledger_.giveUp(simulator.name());
   ROS_WARN_STREAM(
       "lost " << describe(simulator.announcement) << ": " << reason
               << (robots == 0 ? "" : "; its batch of " + toText(static_cast<int64_t>(robots)) + " goes to others"));
   simulator.state = WorkerState::LOST;
   simulator.reason = reason;
+  putOff(simulator);
+  ++simulator.losses;
+  return endSession(simulator);
+}
+
+void SimulatorFarm::State::putOff(SimulatorRecord& simulator)
+{
+  constexpr std::chrono::duration<double> longest_retry_delay{ 60.0 };
   const auto delay = settings_.retry_delay * (1 << std::min(simulator.failures, 16));
   simulator.retry_at = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::min(delay, longest_retry_delay));
   ++simulator.failures;
-  ++simulator.losses;
-  return endSession(simulator);
 }
 
 std::shared_ptr<SimulatorConnection> SimulatorFarm::State::endSession(SimulatorRecord& simulator)

@@ -22,6 +22,7 @@ struct SimulatorSession
   std::string simulator;
   uint64_t number;
   std::shared_ptr<SimulatorConnection> connection;
+  std::string quarantine;  ///< why it is quarantined, which is all that there is to say to it; empty: it is not
 };
 
 /// What the farm's owner, its watchdog, its referee and its simulators' threads share. Every public function locks.
@@ -64,9 +65,13 @@ private:
 
   /// One call. @throw InvalidInput if its answer will not do. @return nothing if there was none.
   std::optional<std::vector<Evaluation>> ask(SimulatorConnection& connection,
-                                             const std::vector<EvaluationRequest>& robots) const;
+                                             const std::vector<EvaluationRequest>& robots,
+                                             const std::string& quarantine = "") const;
 
+  /// Whether something is to be asked of it, or told to it.
+  static bool mayBeCalled(const SimulatorRecord& simulator, Clock::time_point now);
   SimulatorSession openSession(SimulatorRecord& simulator, const SimulatorConnector& connector);
+  void greet(SimulatorRecord& simulator);
 
   /// Makes calls until one fails or the session is over. @return why a call failed; nothing if the session is over.
   std::optional<std::string> work(const SimulatorSession& session);
@@ -79,6 +84,7 @@ private:
   void deliver(const SimulatorSession& session, const std::vector<Evaluation>& evaluations);
   void answeredNonsense(const SimulatorSession& session, const std::string& what);
   void fail(const SimulatorSession& session, const std::string& reason);
+  void tellAgain(SimulatorRecord& simulator);
   void threadEnded();
 
   /// The simulator, if it is still served by this session.
@@ -90,6 +96,9 @@ private:
   /// Ends the simulator's session. Its connection is for the caller to abort, without the lock.
   std::shared_ptr<SimulatorConnection> lose(SimulatorRecord& simulator, const std::string& reason);
   std::shared_ptr<SimulatorConnection> endSession(SimulatorRecord& simulator);
+
+  /// After another failure: no new session for a while.
+  void putOff(SimulatorRecord& simulator);
 
   Connections checkAll(Clock::time_point now);
   std::shared_ptr<SimulatorConnection> check(SimulatorRecord& simulator, Clock::time_point now);

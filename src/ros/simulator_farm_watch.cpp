@@ -260,8 +260,9 @@ std::shared_ptr<SimulatorConnection> SimulatorFarm::State::quarantine(SimulatorR
 {
   const size_t voided = ledger_.distrust(simulator.name());
   simulator.state = WorkerState::QUARANTINED;
+  simulator.told = false;
   simulator.reason = "its evaluation of robot " + individualName(comparison.trial, comparison.id) + " has " +
-                     outcomeText(comparison.given) + ", that of the evolver " + outcomeText(comparison.right);
+                     outcomeText(comparison.given) + ", that of the evolver has " + outcomeText(comparison.right);
   ROS_ERROR_STREAM("quarantined " << describe(simulator.announcement) << ": " << simulator.reason << "; "
                                   << toText(static_cast<int64_t>(voided))
                                   << " other evaluations of it, in generations that are not committed, are made again. "

@@ -79,7 +79,7 @@ bool SimulatorNode::evaluate(const ros::SerializedMessage& request, const std::s
   bool answered = true;
   try
   {
-    answer(readMessage<EvaluateGenomes::Request>(request), response);
+    answer(readMessage<EvaluateGenomes::Request>(request), caller, response);
   }
   catch (const EvaluationAbandoned&)
   {
@@ -95,9 +95,19 @@ bool SimulatorNode::evaluate(const ros::SerializedMessage& request, const std::s
   return answered;
 }
 
-void SimulatorNode::answer(const EvaluateGenomes::Request& request, EvaluateGenomes::Response& response)
+void SimulatorNode::answer(const EvaluateGenomes::Request& request, const std::string& caller,
+                           EvaluateGenomes::Response& response)
 {
   requireSameEngine(request.engine_fingerprint, fingerprint_);
+  if (const std::optional<std::string> reason = quarantineOf(request))
+  {
+    beQuarantined(*reason, caller);
+    return;
+  }
+  if (!quarantine_.empty())
+  {
+    throw InvalidInput("this simulator was quarantined by " + quarantine_);
+  }
   const SoftBodySettings settings = fromMsg(request.settings);
   const std::vector<EvaluationRequest> robots = robotsOf(request, settings);
   const std::vector<Evaluation> evaluations =
@@ -109,6 +119,14 @@ void SimulatorNode::answer(const EvaluateGenomes::Request& request, EvaluateGeno
   }
   display_.offer(settings, robots, evaluations);
   evaluations_ += static_cast<int64_t>(robots.size());
+}
+
+void SimulatorNode::beQuarantined(const std::string& reason, const std::string& by)
+{
+  quarantine_ = by + ": " + reason;
+  ROS_ERROR_STREAM(
+      "quarantined by " << quarantine_ << ". This simulator evaluates nothing any more. Look at the memory "
+                        << "and the processor of host " << hostName() << ", then end it and start another");
 }
 
 void SimulatorNode::announce()

@@ -19,6 +19,7 @@
 namespace devo_evo
 {
 /// Simulates robots for whoever asks. Keeps nothing between requests: all that an evaluation depends on comes with it.
+/// Once it is told that an evaluation was wrong, it refuses all requests, and goes on announcing that it is there.
 ///
 /// Offers service ~evaluate (EvaluateGenomes); publishes `simulators` (SimulatorAnnouncement, latched) every
 /// announcement period, `velocity` (VelocityTelemetry) for every robot evaluated, and `voxels` (BatchDisplay).
@@ -38,7 +39,8 @@ public:
 
 private:
   bool evaluate(const ros::SerializedMessage& request, const std::string& caller, EvaluateGenomes::Response& response);
-  void answer(const EvaluateGenomes::Request& request, EvaluateGenomes::Response& response);
+  void answer(const EvaluateGenomes::Request& request, const std::string& caller, EvaluateGenomes::Response& response);
+  void beQuarantined(const std::string& reason, const std::string& by);
   void announce();
 
   const InstructionSet instruction_set_;
@@ -47,6 +49,7 @@ private:
   std::atomic<bool> stop_{ false };
   std::atomic<bool> busy_{ false };
   std::atomic<int64_t> evaluations_{ 0 };
+  std::string quarantine_;  // by whom, and why; empty: it is not. Of the evaluation thread alone
 
   ros::NodeHandle node_;
   ros::NodeHandle private_node_;

@@ -26,6 +26,7 @@ struct SimulatorRecord
   std::optional<Clock::time_point> call_began;  // the call that runs
   Clock::time_point last_heard;
   Clock::time_point retry_at;  // no new session before
+  bool told = false;           // that it is refused or quarantined
   int failures = 0;            // in a row
   int64_t evaluations = 0;
   int64_t checked = 0;

@@ -22,8 +22,9 @@ constexpr std::chrono::seconds LONGEST_PROGRESS{ 60 };
 class ClosingFarm : public Farm
 {
 public:
-  ClosingFarm(const ros::NodeHandle& node, const SimulatorFarmSettings& settings, std::function<void(bool)> closed)
-    : farm_(node, settings), closed_(std::move(closed))
+  ClosingFarm(const ros::NodeHandle& node, const SimulatorFarmSettings& settings,
+              std::shared_ptr<SignsOfLife> signs_of_life, std::function<void(bool)> closed)
+    : farm_(node, settings, std::move(signs_of_life)), closed_(std::move(closed))
   {
   }
   ~ClosingFarm() override { closed_(farm_.close()); }
@@ -50,7 +51,7 @@ StudyNode::StudyNode(const Parameters& parameters)
   : parameters_(withOutput(parameters))
   , callbacks_(2)
   , idle_warning_(node_.resolveName("simulators"))
-  , master_watch_({})
+  , master_watch_({}, signs_of_life_, node_.resolveName("simulators"))
 {
 }
 
@@ -83,7 +84,8 @@ std::unique_ptr<Farm> StudyNode::makeFarm(const SoftBodySettings& body, uint64_t
     clean_ = clean_ && clean;
     somebody_works_ = nullptr;
   };
-  auto farm = std::make_unique<ClosingFarm>(node_, farmSettings(parameters_, body, fingerprint), closed);
+  auto farm =
+      std::make_unique<ClosingFarm>(node_, farmSettings(parameters_, body, fingerprint), signs_of_life_, closed);
   somebody_works_ = [&farm = *farm] { return usableWorkers(farm.status()) > 0; };
   idle_warning_.update(true);
   return farm;

@@ -40,6 +40,7 @@ private:
   ros::NodeHandle node_;
   ros::AsyncSpinner callbacks_;
   IdleWarning idle_warning_;
+  const std::shared_ptr<SignsOfLife> signs_of_life_ = std::make_shared<SignsOfLife>();
   MasterWatch master_watch_;
   std::function<bool()> somebody_works_;  // asks the present farm; empty between two
   bool clean_ = true;                     // whether every farm could be closed

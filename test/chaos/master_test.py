@@ -29,7 +29,7 @@ class MasterTest(unittest.TestCase):
 
             lab.start_master()
             for node in (evolver, first):
-                wait_until(lambda: node.said('was started anew; registered with it again'), 'it registers again')
+                wait_until(lambda: node.said('for long; registered with it again'), 'it registers again')
             wait_until(lambda: evolver.output().count(') joined') == 2, 'the new simulator has joined')
             self.assertFalse(evolver.said('lost '), evolver.output())
             self.expect_known(lab)

@@ -274,6 +274,24 @@ TEST(Conversions, ARequestIsRefusedWithItsFaultNamed)
             "robot 1/5: phase_final[2] is 2; it must lie within -1 to 1");
 }
 
+TEST(Conversions, AReasonForQuarantineIsATextWithoutRobots)
+{
+  const SoftBodySettings settings = unusualSettings();
+  EvaluateGenomes::Request request = toRequest({}, settings, 0);
+  EXPECT_EQ(quarantineOf(request), std::nullopt);
+  request.quarantine = "wrong";
+  EXPECT_EQ(quarantineOf(request), "wrong");
+  for (const std::string& text : { std::string(256, 'x'), std::string("two\nlines") })
+  {
+    request.quarantine = text;
+    EXPECT_EQ(complaint([&] { quarantineOf(request); }), "quarantine must be at most 255 printable ASCII characters");
+  }
+  request = toRequest({ { 1, 5, programFor(settings) } }, settings, 0);
+  request.quarantine = "wrong";
+  EXPECT_EQ(complaint([&] { quarantineOf(request); }),
+            "a request with robots for a simulator that is to be quarantined");
+}
+
 TEST(Conversions, TelemetryTellsWhenEachWindowEnds)
 {
   const SoftBodySettings settings = unusualSettings();  // a lifetime of 1.25 s

@@ -83,6 +83,8 @@ public:
     }
     if (request.genomes.empty())
     {
+      std::lock_guard<std::mutex> lock(mutex_);
+      quarantine_ = request.quarantine;
       return !dead;
     }
     largest_batch = std::max(largest_batch.load(), request.genomes.size());
@@ -118,6 +120,13 @@ public:
     changed_.notify_all();
   }
 
+  /// Why it has been told that it is quarantined; empty if it has not.
+  std::string quarantine()
+  {
+    std::lock_guard<std::mutex> lock(mutex_);
+    return quarantine_;
+  }
+
   std::atomic<bool> dead{ false };
   std::atomic<bool> hangs{ false };
   std::atomic<bool> ignores_abort{ false };
@@ -130,6 +139,7 @@ private:
   std::mutex mutex_;
   std::condition_variable changed_;
   bool aborted_ = false;
+  std::string quarantine_;
 };
 
 class SimulatorFarmTest : public testing::Test
@@ -522,13 +532,45 @@ TEST_F(SimulatorFarmTest, AQuarantinedSimulatorGetsNoWorkUntilAnotherProcessHasI
   farm_->submit(robots(4));
   collect(4);
   ASSERT_EQ(status("/liar").state, WorkerState::QUARANTINED);
+  announce("/liar");
+  ASSERT_TRUE(eventually([&] { return !liar.quarantine().empty(); }));
   const int calls = liar.calls;
   announce("/liar");
+  farm_->submit(robots(4));
+  collect(4);
   EXPECT_EQ(status("/liar").state, WorkerState::QUARANTINED);
   EXPECT_EQ(liar.calls, calls);
   addFake("/liar");
   announce("/liar", FINGERPRINT, 2);
   EXPECT_TRUE(eventually([&] { return status("/liar").usable(); }));
+}
+
+TEST_F(SimulatorFarmTest, AQuarantinedSimulatorIsToldWhyUntilItAnswers)
+{
+  settings_.checked_fraction = 1.0;
+  open();
+  FakeSimulator& liar = join("/liar");
+  liar.corrupt = tellWrongHash;
+  join("/honest");
+  farm_->submit(robots(4));
+  collect(4);
+  ASSERT_EQ(status("/liar").state, WorkerState::QUARANTINED);
+  addFake("/liar").dead = true;  // what the next connection leads to
+  ASSERT_TRUE(eventually(
+      [&]
+      {
+        announce("/liar");
+        return fakes_.at("/liar")->calls >= 2;
+      }));
+  fakes_.at("/liar")->dead = false;
+  ASSERT_TRUE(eventually(
+      [&]
+      {
+        announce("/liar");
+        return fakes_.at("/liar")->calls > 2;
+      }));
+  EXPECT_EQ("quarantined: " + fakes_.at("/liar")->quarantine(), state("/liar"));
+  EXPECT_EQ(liar.quarantine(), "");
 }
 
 TEST_F(SimulatorFarmTest, WhatALiarSaidBeforeInTheSameGenerationIsMadeAgain)

@@ -1,10 +1,14 @@
-// What a simulator answers, refuses and publishes. Runs beside simulators "best" and "scalar" (simulator.test).
+// What a simulator answers, refuses and publishes. Runs beside simulators "best", "scalar" and "wrong"
+// (simulator.test).
 
 #include "devo_evo/soft_body/simulation.h"
 #include "ros/conversions.h"
+#include "ros/departed_nodes.h"
+#include "ros/master_calls.h"
 
 #include <gtest/gtest.h>
 #include <ros/ros.h>
+#include <rosgraph_msgs/Log.h>
 #include <visualization_msgs/MarkerArray.h>
 
 #include <algorithm>
@@ -12,6 +16,7 @@
 #include <cstring>
 #include <functional>
 #include <map>
+#include <set>
 #include <thread>
 
 namespace devo_evo
@@ -167,6 +172,7 @@ TEST_F(SimulatorTest, RefusesNonsenseAndGoesOn)
     [](EvaluateGenomes::Request& request) { request.genomes[1].size_gene_initial.clear(); },
     [&](EvaluateGenomes::Request& request) { request.genomes[0].phase_initial[7] = nan; },
     [](EvaluateGenomes::Request& request) { request.genomes[0].size_gene_final[0] = -1.5; },
+    [](EvaluateGenomes::Request& request) { request.quarantine = "and evaluate these"; },
     [](EvaluateGenomes::Request& request)
     {
       request.genomes.resize(65, request.genomes[0]);
@@ -192,10 +198,37 @@ TEST_F(SimulatorTest, ARequestWithoutRobotsIsWelcome)
   EXPECT_TRUE(response.evaluations.empty());
 }
 
+TEST_F(SimulatorTest, AQuarantinedSimulatorSaysSoAndEvaluatesNothingMore)
+{
+  std::vector<rosgraph_msgs::Log> errors;
+  const boost::function<void(const rosgraph_msgs::Log&)> take = [&](const rosgraph_msgs::Log& log)
+  {
+    if (log.name == "/farm/wrong" && log.level == rosgraph_msgs::Log::ERROR)
+    {
+      errors.push_back(log);
+    }
+  };
+  ros::Subscriber log = node_.subscribe<rosgraph_msgs::Log>("/rosout", 100, take);
+  ASSERT_TRUE(eventually([&] { return heard_.count("/farm/wrong") == 1 && log.getNumPublishers() >= 4; }));
+
+  EvaluateGenomes::Request request = toRequest({}, shortLife(), engineFingerprint());
+  request.quarantine = "its evaluation of robot 3/17 has state hash 8";
+  EXPECT_EQ(ask("wrong", request).error, "");
+  ASSERT_TRUE(eventually([&] { return !errors.empty(); }));
+  const std::string reason = "quarantined by " + ros::this_node::getName() + ": " + request.quarantine;
+  EXPECT_EQ(errors[0].msg.find(reason + ". This simulator evaluates nothing any more."), 0u) << errors[0].msg;
+
+  const auto response = ask("wrong", toRequest(robots(1, shortLife()), shortLife(), 0));
+  EXPECT_EQ(response.error, "this simulator was " + reason);
+  EXPECT_TRUE(response.evaluations.empty());
+  const auto before = heard_["/farm/wrong"].header.stamp;
+  EXPECT_TRUE(eventually([&] { return heard_["/farm/wrong"].header.stamp > before; })) << "it is still announced";
+}
+
 TEST_F(SimulatorTest, PublishesTheVelocityOfEveryRobot)
 {
   const SoftBodySettings settings = shortLife();
-  ASSERT_TRUE(eventually([this] { return velocity_.getNumPublishers() == 2; }));
+  ASSERT_TRUE(eventually([this] { return velocity_.getNumPublishers() == 3; }));
   ask("best", toRequest(robots(3, settings), settings, 0));
   ASSERT_TRUE(eventually([this] { return telemetry_.size() == 3; }));
   for (const auto& [id, telemetry] : telemetry_)
@@ -230,7 +263,7 @@ TEST_F(SimulatorTest, ShowsTheBestRobotOfItsLastBatchWhileSomebodySubscribes)
     }
   };
   ros::Subscriber voxels = node_.subscribe<visualization_msgs::MarkerArray>("voxels", 100, take);
-  ASSERT_TRUE(eventually([&] { return voxels.getNumPublishers() == 2; }));
+  ASSERT_TRUE(eventually([&] { return voxels.getNumPublishers() == 3; }));
   ros::WallDuration(0.5).sleep();
   ros::spinOnce();
   EXPECT_TRUE(shown.empty());
@@ -239,6 +272,62 @@ TEST_F(SimulatorTest, ShowsTheBestRobotOfItsLastBatchWhileSomebodySubscribes)
   EXPECT_EQ(shown.at("voxels").points.size(), 48u);
   EXPECT_EQ(shown.at("caption").text, individualName(2, best));
   EXPECT_EQ(shown.at("body").lifetime, ros::Duration(2.0));
+}
+
+/// Names of the nodes that publish `simulators`, as the master has it.
+std::set<std::string> registeredSimulators()
+{
+  XmlRpc::XmlRpcValue state;
+  EXPECT_TRUE(callMaster("getSystemState", {}, state));
+  std::set<std::string> nodes;
+  for (int i = 0; i < state[0].size(); ++i)
+  {
+    for (int k = 0; std::string(state[0][i][0]) == "/farm/simulators" && k < state[0][i][1].size(); ++k)
+    {
+      nodes.insert(state[0][i][1][k]);
+    }
+  }
+  return nodes;
+}
+
+TEST_F(SimulatorTest, WhoIsNotHeardOfForLongIsTakenOffTheMastersBooks)
+{
+  const std::string node = "/farm/killed_long_ago";
+  const std::string uri = "http://localhost:9";
+  XmlRpc::XmlRpcValue answer;
+  ASSERT_TRUE(
+      callMaster("registerPublisher", { "/farm/simulators", "devo_evo/SimulatorAnnouncement", uri }, answer, node));
+  ASSERT_TRUE(callMaster("registerService", { node + "/evaluate", "rosrpc://localhost:9", uri }, answer, node));
+  const std::set<std::string> living = { "/farm/best", "/farm/scalar", "/farm/wrong" };
+  DepartedNodes departed("/farm/simulators", 2);
+  departed.check(living);
+  EXPECT_EQ(registeredSimulators().count(node), 1u) << "after one check of two";
+  departed.check({});
+  departed.check(living);
+  EXPECT_EQ(registeredSimulators().count(node), 1u) << "a check without any sign of life begins anew";
+  departed.check(living);
+  EXPECT_EQ(registeredSimulators(), living);
+  EXPECT_FALSE(callMaster("lookupService", { node + "/evaluate" }, answer));
+  EXPECT_FALSE(callMaster("lookupNode", { node }, answer));
+}
+
+TEST_F(SimulatorTest, ASimulatorThatWasTakenOffTheMastersBooksRegistersAgain)
+{
+  const std::set<std::string> all = registeredSimulators();
+  ASSERT_EQ(all.count("/farm/scalar"), 1u);
+  DepartedNodes("/farm/simulators", 1).check({ "/farm/best", "/farm/wrong" });
+  EXPECT_EQ(registeredSimulators().count("/farm/scalar"), 0u);
+  EXPECT_TRUE(eventually([&] { return registeredSimulators() == all; }));
+  EXPECT_EQ(ask("scalar", toRequest({}, shortLife(), engineFingerprint())).error, "");
+}
+
+TEST(SignsOfLife, LastAsLongAsTheyAreSaidTo)
+{
+  SignsOfLife signs;
+  EXPECT_TRUE(signs.living().empty());
+  signs.note("/a", std::chrono::hours(1));
+  signs.note("/b", std::chrono::nanoseconds(0));
+  EXPECT_EQ(signs.living(), (std::set<std::string>{ "/a" }));
 }
 
 TEST_F(SimulatorTest, AnnouncesItselfWhileItSimulates)

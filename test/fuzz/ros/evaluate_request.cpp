@@ -11,6 +11,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
   try
   {
     const auto request = readMessage<EvaluateGenomes::Request>(fuzz::received(data, size));
+    quarantineOf(request);
     const SoftBodySettings settings = fromMsg(request.settings);
     for (const EvaluationRequest& robot : robotsOf(request, settings))
     {
