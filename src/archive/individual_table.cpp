@@ -69,7 +69,7 @@ std::vector<ArchivedIndividual> findIndividuals(Connection& connection, int64_t 
       "SELECT id, parent, generation, age, morphology_window, control_window, phenotype_hash, "
       "genome_hash, " DEVO_EVO_EVALUATION_COLUMNS
       " FROM individuals WHERE trial = ? AND id BETWEEN ? AND ? ORDER BY id",
-      trial, first_id, first_id + count - 1);
+      trial, first_id, first_id + (count - 1));
   std::vector<ArchivedIndividual> found;
   while (query.next())
   {
