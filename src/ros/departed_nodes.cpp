@@ -73,15 +73,27 @@ void SignsOfLife::note(const std::string& node, Clock::duration lasts)
 {
   constexpr size_t most = 4096;
   std::lock_guard<std::mutex> lock(mutex_);
+  listening_ = true;
   if (until_.size() < most || until_.count(node) > 0)
   {
     until_[node] = Clock::now() + lasts;
   }
 }
 
-std::set<std::string> SignsOfLife::living()
+void SignsOfLife::stopListening()
 {
   std::lock_guard<std::mutex> lock(mutex_);
+  listening_ = false;
+  until_.clear();
+}
+
+std::optional<std::set<std::string>> SignsOfLife::living()
+{
+  std::lock_guard<std::mutex> lock(mutex_);
+  if (!listening_)
+  {
+    return std::nullopt;
+  }
   const Clock::time_point now = Clock::now();
   std::set<std::string> names;
   for (auto node = until_.begin(); node != until_.end();)
@@ -99,10 +111,10 @@ std::set<std::string> SignsOfLife::living()
   return names;
 }
 
-void DepartedNodes::check(const std::set<std::string>& living)
+void DepartedNodes::check(const std::optional<std::set<std::string>>& living)
 {
   XmlRpcValue state;
-  if (living.empty() || !callMaster("getSystemState", {}, state))
+  if (!living || !callMaster("getSystemState", {}, state))
   {
     silent_checks_.clear();
     return;
@@ -110,7 +122,7 @@ void DepartedNodes::check(const std::set<std::string>& living)
   std::map<std::string, int> silent_checks;
   for (const std::string& node : publishersOf(topic_, state[0]))
   {
-    if (living.count(node) > 0)
+    if (living->count(node) > 0)
     {
       continue;
     }
@@ -118,7 +130,7 @@ void DepartedNodes::check(const std::set<std::string>& living)
     silent_checks[node] = checks;
     if (checks >= patience_)
     {
-      ROS_INFO_STREAM("took " << node << " off the ROS master's books: it has not been heard of for long");
+      ROS_INFO_STREAM("took " << node << " off the ROS master's books: nothing was heard of it for long");
       strikeOff(node, state);
     }
   }

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -17,11 +18,15 @@ public:
   /// @param lasts for how long the node counts as living, if nothing more is heard of it.
   void note(const std::string& node, Clock::duration lasts);
 
-  /// Names of the living; nothing is known if there is none.
-  std::set<std::string> living();
+  /// Nobody listens any more, until the next note().
+  void stopListening();
+
+  /// Names of the living; nothing if nobody listens, or has heard anything yet.
+  std::optional<std::set<std::string>> living();
 
 private:
   std::mutex mutex_;
+  bool listening_ = false;
   std::map<std::string, Clock::time_point> until_;
 };
 
@@ -38,8 +43,8 @@ public:
   DepartedNodes(std::string topic, int patience) : topic_(std::move(topic)), patience_(patience) {}
 
   /// Asks the master who publishes. May take minutes if the network loses packets. @param living names of nodes of
-  /// which something has been heard lately; without any, it might be that nobody listens, and nothing is done.
-  void check(const std::set<std::string>& living);
+  /// which something has been heard lately; if that is not known, counting begins anew.
+  void check(const std::optional<std::set<std::string>>& living);
 
 private:
   const std::string topic_;

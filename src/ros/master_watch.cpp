@@ -25,8 +25,8 @@ using XmlRpc::XmlRpcValue;
 
 constexpr std::chrono::seconds PERIOD{ 2 };
 constexpr std::chrono::seconds CLOSE_TIMEOUT{ 2 };
-constexpr int LOOKS_PER_CHECK = 5;  // so that those who are gone are looked for every ten seconds,
-constexpr int PATIENCE = 6;         // and are taken off after a minute
+constexpr int LOOKS_PER_CHECK = 2;  // so that those who are gone are looked for every four seconds,
+constexpr int PATIENCE = 5;         // and are taken off after twenty
 
 enum class Acquaintance
 {

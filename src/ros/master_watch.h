@@ -18,7 +18,7 @@ class MasterWatch
 public:
   /// @param services resolved names of the services that this node offers; of topics roscpp itself keeps a list.
   /// @param signs_of_life of the publishers of a topic, which are taken off the master's books once they have not been
-  /// among the living for a minute. None: nobody is taken off. @param topic its resolved name.
+  /// among the living for twenty seconds. None: nobody is taken off. @param topic its resolved name.
   explicit MasterWatch(std::vector<std::string> services, std::shared_ptr<SignsOfLife> signs_of_life = nullptr,
                        const std::string& topic = "");
   ~MasterWatch();

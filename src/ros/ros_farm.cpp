@@ -96,6 +96,7 @@ RosFarm::RosFarm(ros::NodeHandle node, const SimulatorFarmSettings& settings,
 
 bool RosFarm::close()
 {
+  signs_of_life_->stopListening();
   announcements_.shutdown();
   return farm_.close();
 }

@@ -22,6 +22,8 @@ public:
   /// serve. @param signs_of_life where simulators that are heard of are noted.
   RosFarm(ros::NodeHandle node, const SimulatorFarmSettings& settings, std::shared_ptr<SignsOfLife> signs_of_life);
 
+  ~RosFarm() override { signs_of_life_->stopListening(); }
+
   void submit(std::vector<EvaluationRequest> requests) override { farm_.submit(std::move(requests)); }
   std::vector<EvaluationResult> collect(std::chrono::milliseconds timeout) override { return farm_.collect(timeout); }
   std::vector<WorkerStatus> status() const override { return farm_.status(); }

@@ -302,9 +302,9 @@ TEST_F(SimulatorTest, WhoIsNotHeardOfForLongIsTakenOffTheMastersBooks)
   DepartedNodes departed("/farm/simulators", 2);
   departed.check(living);
   EXPECT_EQ(registeredSimulators().count(node), 1u) << "after one check of two";
-  departed.check({});
+  departed.check(std::nullopt);
   departed.check(living);
-  EXPECT_EQ(registeredSimulators().count(node), 1u) << "a check without any sign of life begins anew";
+  EXPECT_EQ(registeredSimulators().count(node), 1u) << "while nobody listens, nobody is blamed for silence";
   departed.check(living);
   EXPECT_EQ(registeredSimulators(), living);
   EXPECT_FALSE(callMaster("lookupService", { node + "/evaluate" }, answer));
@@ -315,7 +315,7 @@ TEST_F(SimulatorTest, ASimulatorThatWasTakenOffTheMastersBooksRegistersAgain)
 {
   const std::set<std::string> all = registeredSimulators();
   ASSERT_EQ(all.count("/farm/scalar"), 1u);
-  DepartedNodes("/farm/simulators", 1).check({ "/farm/best", "/farm/wrong" });
+  DepartedNodes("/farm/simulators", 1).check(std::set<std::string>{ "/farm/best", "/farm/wrong" });
   EXPECT_EQ(registeredSimulators().count("/farm/scalar"), 0u);
   EXPECT_TRUE(eventually([&] { return registeredSimulators() == all; }));
   EXPECT_EQ(ask("scalar", toRequest({}, shortLife(), engineFingerprint())).error, "");
@@ -324,10 +324,12 @@ TEST_F(SimulatorTest, ASimulatorThatWasTakenOffTheMastersBooksRegistersAgain)
 TEST(SignsOfLife, LastAsLongAsTheyAreSaidTo)
 {
   SignsOfLife signs;
-  EXPECT_TRUE(signs.living().empty());
+  EXPECT_EQ(signs.living(), std::nullopt);
   signs.note("/a", std::chrono::hours(1));
   signs.note("/b", std::chrono::nanoseconds(0));
   EXPECT_EQ(signs.living(), (std::set<std::string>{ "/a" }));
+  signs.stopListening();
+  EXPECT_EQ(signs.living(), std::nullopt);
 }
 
 TEST_F(SimulatorTest, AnnouncesItselfWhileItSimulates)
