@@ -40,11 +40,13 @@ std::string ownUri()
   return ros::XMLRPCManager::instance()->getServerURI();
 }
 
-Acquaintance askMaster()
+/// @param service of this node, if it has one: a node that was taken off the master's books may keep its name there.
+Acquaintance askMaster(const std::string& service)
 {
   XmlRpcValue response;
   XmlRpcValue uri;
-  if (callMaster("lookupNode", { ros::this_node::getName() }, uri, "", response))
+  if (callMaster("lookupNode", { ros::this_node::getName() }, uri, "", response) &&
+      (service.empty() || callMaster("lookupService", { service }, uri, "", response)))
   {
     return Acquaintance::KNOWN;
   }
@@ -138,7 +140,7 @@ public:
 private:
   void look()
   {
-    const Acquaintance acquaintance = askMaster();
+    const Acquaintance acquaintance = askMaster(services_.empty() ? "" : services_.front());
     if (acquaintance == Acquaintance::NO_MASTER && !missing_)
     {
       missing_ = true;
