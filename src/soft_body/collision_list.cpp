@@ -84,10 +84,8 @@ void CollisionList::readPlaces(const Body& body)
   }
 }
 
-inline bool CollisionList::isClose(int voxel_a, int voxel_b) const
+inline bool CollisionList::isClose(const Place& a, const Place& b)
 {
-  const Place& a = places_[static_cast<size_t>(voxel_a)];
-  const Place& b = places_[static_cast<size_t>(voxel_b)];
   double square = 0.0;
   for (size_t axis = 0; axis < 3; ++axis)
   {
@@ -101,7 +99,7 @@ void CollisionList::findAmongCandidates()
 {
   for (const CollisionPair& pair : candidates_)
   {
-    if (isClose(pair.voxel_a, pair.voxel_b))
+    if (isClose(places_[static_cast<size_t>(pair.voxel_a)], places_[static_cast<size_t>(pair.voxel_b)]))
     {
       found_.push_back(pair);
     }
@@ -118,26 +116,50 @@ void CollisionList::findByCells()
     entries.push_back({ { cellOf(z, width), cellOf(y, width), cellOf(x, width) }, voxel });
   }
   std::sort(entries.begin(), entries.end());
-  const auto list_close = [this](const CellEntry& entry, auto first, auto last)
+  std::vector<Place> in_order;  // so that what is compared lies together
+  for (const CellEntry& entry : entries)
   {
-    for (auto other = first; other != last; ++other)
+    in_order.push_back(places_[static_cast<size_t>(entry.voxel)]);
+  }
+  const auto list_close = [&](size_t entry, size_t first, size_t last)
+  {
+    const int voxel = entries[entry].voxel;
+    for (size_t other = first; other < last; ++other)
     {
-      const auto [a, b] = std::minmax(entry.voxel, other->voxel);
-      if (isClose(a, b) && lattice_.manhattanDistance(a, b) >= MINIMUM_LATTICE_DISTANCE)
+      const int other_voxel = entries[other].voxel;
+      const bool is_first = voxel < other_voxel;
+      if (isClose(in_order[is_first ? entry : other], in_order[is_first ? other : entry]) &&
+          lattice_.manhattanDistance(voxel, other_voxel) >= MINIMUM_LATTICE_DISTANCE)
       {
-        found_.push_back({ a, b, 0 });
+        found_.push_back({ std::min(voxel, other_voxel), std::max(voxel, other_voxel), 0 });
       }
     }
   };
-  for (auto entry = entries.begin(); entry != entries.end(); ++entry)
+  // Each pair is met once: from the cell that comes first. Entries of one cell share their neighbours.
+  size_t cell_end = 0;
+  for (size_t cell_begin = 0; cell_begin < entries.size(); cell_begin = cell_end)
   {
-    // Each pair is met once: from the cell that comes first
-    const auto [z, y, x] = entry->cell;
-    list_close(*entry, entry + 1, std::upper_bound(entry, entries.end(), CellEntry{ { z, y, x + 1 }, 0 }));
+    const auto [z, y, x] = entries[cell_begin].cell;
+    const auto before = [&](int64_t row_z, int64_t row_y, int64_t cell_x)
+    {
+      const auto begin = entries.begin() + static_cast<std::ptrdiff_t>(cell_begin);
+      const CellEntry sought = { { row_z, row_y, cell_x }, -1 };
+      return static_cast<size_t>(std::lower_bound(begin, entries.end(), sought) - entries.begin());
+    };
+    cell_end = before(z, y, x + 1);
+    const size_t next_end = before(z, y, x + 2);
+    for (size_t entry = cell_begin; entry < cell_end; ++entry)
+    {
+      list_close(entry, entry + 1, next_end);
+    }
     for (const auto& [row_z, row_y] : { std::pair(z, y + 1), { z + 1, y - 1 }, { z + 1, y }, { z + 1, y + 1 } })
     {
-      const auto first = std::lower_bound(entry, entries.end(), CellEntry{ { row_z, row_y, x - 1 }, 0 });
-      list_close(*entry, first, std::upper_bound(first, entries.end(), CellEntry{ { row_z, row_y, x + 1 }, 0 }));
+      const size_t first = before(row_z, row_y, x - 1);
+      const size_t last = before(row_z, row_y, x + 2);
+      for (size_t entry = cell_begin; entry < cell_end; ++entry)
+      {
+        list_close(entry, first, last);
+      }
     }
   }
   std::sort(found_.begin(), found_.end(), comesBefore);

@@ -43,7 +43,7 @@ private:
   };
 
   void readPlaces(const Body& body);
-  bool isClose(int voxel_a, int voxel_b) const;
+  static bool isClose(const Place& a, const Place& b);
   void findAmongCandidates();
   void findByCells();
   void list(const Body& body);

@@ -16,6 +16,8 @@
 #include "kernel.h"
 #include "pack-inl.h"
 
+#include <type_traits>
+
 namespace devo_evo
 {
 namespace
@@ -50,14 +52,15 @@ inline Vector<Real> operator*(Real a, const Vector<Real>& b)
   return { a * b.x, a * b.y, a * b.z };
 }
 
+// In whatever form the number type negates, like the numbers themselves: products take it in for nothing.
 template <class Real>
-inline Vector<Real> operator-(const Vector<Real>& a)
+inline auto operator-(const Vector<Real>& a) -> Vector<decltype(-a.x)>
 {
   return { -a.x, -a.y, -a.z };
 }
 
-template <class Real>
-inline Real dot(const Vector<Real>& a, const Vector<Real>& b)
+template <class Real, class Other>
+inline Real dot(const Vector<Real>& a, const Vector<Other>& b)
 {
   return multiplyAdd(a.z, b.z, multiplyAdd(a.y, b.y, a.x * b.x));
 }
@@ -70,8 +73,9 @@ inline Vector<Real> cross(const Vector<Real>& a, const Vector<Real>& b)
 }
 
 // a * b + c
-template <class Real>
-inline Vector<Real> multiplyAdd(Real a, const Vector<Real>& b, const Vector<Real>& c)
+template <class Factor, class Other, class Real>
+inline auto multiplyAdd(Factor a, const Vector<Other>& b, const Vector<Real>& c)
+    -> Vector<decltype(multiplyAdd(a, b.x, c.x))>
 {
   return { multiplyAdd(a, b.x, c.x), multiplyAdd(a, b.y, c.y), multiplyAdd(a, b.z, c.z) };
 }
@@ -92,8 +96,6 @@ struct Voxel
   Vector<Real> momentum;
   Vector<Real> angular_momentum;
   Real scale;
-  Vector<Real> force;
-  Vector<Real> moment;
   Real size_at_birth;
   Real size_change;
   Real phase_at_birth;
@@ -103,9 +105,23 @@ struct Voxel
 template <class Real>
 struct BondMemory
 {
-  Vector<Real> displacement;
+  Real stretch;
   Real angle_1_y, angle_1_z;
   Vector<Real> angle_2;
+};
+
+template <class Real>
+struct SidewaysMemory
+{
+  Real y, z;
+};
+
+// What acts on a voxel, as far as it has been added up.
+template <class Real>
+struct Load
+{
+  Vector<Real> force;
+  Vector<Real> moment;
 };
 
 // ---- functions of one number -------------------------------------------------------------------------------------
@@ -240,13 +256,6 @@ struct Axes
   Vector<Real> x, y, z;
 };
 
-// The vector with these components along the axes.
-template <class Real>
-inline Vector<Real> along(const Axes<Real>& axes, const Vector<Real>& components)
-{
-  return multiplyAdd(components.z, axes.z, multiplyAdd(components.y, axes.y, components.x * axes.x));
-}
-
 // The body axes in the world: the columns of the rotation matrix of q.
 template <class Real>
 inline Axes<Real> bodyAxes(const Quaternion<Real>& q)
@@ -266,22 +275,45 @@ inline Axes<Real> bodyAxes(const Quaternion<Real>& q)
            { multiplyAdd(q.x, z2, wy), multiplyAdd(q.y, z2, -wx), one - xx - yy } };
 }
 
-// Axes renamed so that the first is the bond's (physics.md 2.1).
+// The axes of the body, renamed so that X is the bond's (physics.md 2.1).
 template <int AXIS, class Real>
-inline Axes<Real> bondAxes(const Axes<Real>& body)
+inline const Vector<Real>& bondX(const Axes<Real>& body)
 {
-  if constexpr (AXIS == 0)
+  return AXIS == 0 ? body.x : AXIS == 1 ? body.y : body.z;
+}
+
+template <int AXIS, class Real>
+inline decltype(auto) bondY(const Axes<Real>& body)
+{
+  if constexpr (AXIS == 1)
   {
-    return body;
-  }
-  else if constexpr (AXIS == 1)
-  {
-    return { body.y, -body.x, body.z };
+    return -body.x;
   }
   else
   {
-    return { body.z, body.y, -body.x };
+    return (body.y);
   }
+}
+
+template <int AXIS, class Real>
+inline decltype(auto) bondZ(const Axes<Real>& body)
+{
+  if constexpr (AXIS == 2)
+  {
+    return -body.x;
+  }
+  else
+  {
+    return (body.z);
+  }
+}
+
+// The vector with these components along the bond's axes.
+template <int AXIS, class Real>
+inline Vector<Real> alongBondAxes(const Axes<Real>& body, const Vector<Real>& components)
+{
+  return multiplyAdd(components.z, bondZ<AXIS>(body),
+                     multiplyAdd(components.y, bondY<AXIS>(body), components.x * bondX<AXIS>(body)));
 }
 
 // Conjugate of a times b, with the vector part in the bond's axes.
@@ -343,9 +375,10 @@ template <class Real>
 struct Bond
 {
   int number;
-  Voxel<Real>* voxel_1;
-  Voxel<Real>* voxel_2;
+  int axis;
   uint32_t switched;  // bit l: lane l's bond changed its regime in this step
+  uint32_t small;     // bit l: lane l's bond is in the small-angle regime
+  uint32_t sideways;  // bit l: lane l's bond is in the small-angle regime, or remembers that
   Turn<Real> u;
   Quaternion<Real> n;
   Vector<Real> d;
@@ -355,15 +388,22 @@ struct Bond
   Vector<Real> a2;  // alpha_2
 };
 
+// Whether the ends are aligned well enough for the small-angle regime.
+template <class Real>
+inline MaskOf<Real> mayBecomeSmall(Real n_w)
+{
+  constexpr double enter_cosine = 0.9999625024343469;  // cos(theta_s / 2)
+  return constant<Real>(enter_cosine) < n_w;
+}
+
 // Which robots' bonds are in the small-angle regime, with hysteresis (2.2).
 template <class Real>
 inline MaskOf<Real> smallAngleRegime(const BodyModel& model, MaskOf<Real> was_small, const Vector<Real>& r, Real n_w,
                                      Real rest)
 {
   using Mask = MaskOf<Real>;
-  constexpr double enter_cosine = 0.9999625024343469;  // cos(theta_s / 2)
   constexpr double leave_cosine = 0.9999546280051071;  // cos(1.1 theta_s / 2)
-  Mask inside = (constant<Real>(enter_cosine) < n_w) & (r.x < constant<Real>(1.3) * rest);
+  Mask inside = mayBecomeSmall(n_w) & (r.x < constant<Real>(1.3) * rest);
   Mask outside = (n_w <= constant<Real>(leave_cosine)) | (constant<Real>(1.1 * 1.3) * rest < r.x);
   if (model.sideways_bend_test)
   {
@@ -376,7 +416,8 @@ inline MaskOf<Real> smallAngleRegime(const BodyModel& model, MaskOf<Real> was_sm
 
 // First stage: how the bond is deformed, and the turned frame (2.1, 2.2).
 template <int AXIS, class Real>
-inline void deform(const BodyModel& model, const Axes<Real>& body_axes_1, uint8_t& small_angle_bits, Bond<Real>& bond)
+inline void deform(const BodyModel& model, const Axes<Real>& body_axes_1, const Voxel<Real>& voxel_1,
+                   const Voxel<Real>& voxel_2, BatchState& state, Bond<Real>& bond)
 {
   using Mask = MaskOf<Real>;
   const Real one = constant<Real>(1.0);
@@ -384,15 +425,27 @@ inline void deform(const BodyModel& model, const Axes<Real>& body_axes_1, uint8_
   const Real zero = constant<Real>(0.0);
   constexpr double theta_s = 0.01732;
 
-  const Axes<Real> axes = bondAxes<AXIS>(body_axes_1);
-  const Vector<Real> r_world = bond.voxel_2->position - bond.voxel_1->position;
-  const Vector<Real> r = { dot(r_world, axes.x), dot(r_world, axes.y), dot(r_world, axes.z) };
-  const Quaternion<Real> n = relativeOrientation<AXIS>(bond.voxel_1->orientation, bond.voxel_2->orientation);
-  const Real rest = half * (bond.voxel_1->scale + bond.voxel_2->scale);
-  const Mask was_small = PackTraits<Real>::maskFromBits(small_angle_bits);
-  const Mask is_small = smallAngleRegime(model, was_small, r, n.w, rest);
-  bond.switched = bits(was_small) ^ bits(is_small);
-  small_angle_bits = static_cast<uint8_t>(bits(is_small));
+  const Vector<Real> r_world = voxel_2.position - voxel_1.position;
+  const Vector<Real> r = { dot(r_world, bondX<AXIS>(body_axes_1)), dot(r_world, bondY<AXIS>(body_axes_1)),
+                           dot(r_world, bondZ<AXIS>(body_axes_1)) };
+  const Real rest = half * (voxel_1.scale + voxel_2.scale);
+  const Quaternion<Real> n = relativeOrientation<AXIS>(voxel_1.orientation, voxel_2.orientation);
+  const uint32_t was_small_bits = state.small_angle[bond.number];
+  const uint32_t was_sideways = state.was_sideways[bond.number];
+  uint32_t small_bits = 0;
+  Mask is_small = PackTraits<Real>::maskFromBits(0);
+  if ((bits(mayBecomeSmall(n.w)) | was_small_bits | was_sideways) != 0)
+  {
+    is_small = smallAngleRegime(model, PackTraits<Real>::maskFromBits(was_small_bits), r, n.w, rest);
+    small_bits = bits(is_small);
+    state.small_angle[bond.number] = static_cast<uint8_t>(small_bits);
+    bond.d.y = select(is_small, r.y, zero);
+    bond.d.z = select(is_small, r.z, zero);
+  }
+  bond.n = n;
+  bond.small = small_bits;
+  bond.switched = was_small_bits ^ small_bits;
+  bond.sideways = was_sideways | small_bits;
 
   // Large-angle: u is the shortest turn of r' onto +x, by half-angle formulas
   const Real square = dot(r_world, r_world);
@@ -403,12 +456,12 @@ inline void deform(const BodyModel& model, const Axes<Real>& body_axes_1, uint8_
   const Real inverse_half_angle_cosine = inverseHalfAngleCosine(versine);
   const Real scaling = half_inverse_length * inverse_half_angle_cosine;
   Turn<Real> u = { multiplyAdd(-half, versine, one) * inverse_half_angle_cosine, r.z * scaling, -(r.y * scaling) };
-  Vector<Real> d = { length - rest, zero, zero };
+  Real stretch = length - rest;
 
   // The turned frame: x along r, and y turned with it (Rodrigues' formula for the shortest turn)
   Vector<Real> turned_x = inverse_length * r_world;
-  const Real tilt = -((r.y * half_inverse_length) * (inverse_half_angle_cosine * inverse_half_angle_cosine));
-  Vector<Real> turned_y = multiplyAdd(tilt, axes.x + turned_x, axes.y);
+  const auto tilt = -((r.y * half_inverse_length) * (inverse_half_angle_cosine * inverse_half_angle_cosine));
+  Vector<Real> turned_y = multiplyAdd(tilt, bondX<AXIS>(body_axes_1) + turned_x, bondY<AXIS>(body_axes_1));
 
   const Real bound = constant<Real>(theta_s) * absolute(r.x);
   const Mask nearly_straight = (absolute(r.y) < bound) & (absolute(r.z) < bound);
@@ -427,15 +480,14 @@ inline void deform(const BodyModel& model, const Axes<Real>& body_axes_1, uint8_
     const Real u_z2 = u.z + u.z;
     const Vector<Real> row_x = { one - multiplyAdd(u.y, u_y2, u.z * u_z2), -(u.w * u_z2), u.w * u_y2 };
     const Vector<Real> row_y = { u.w * u_z2, multiplyAdd(-u.z, u_z2, one), u.y * u_z2 };
-    turned_x = select<Real>(special, along(axes, row_x), turned_x);
-    turned_y = select<Real>(special, along(axes, row_y), turned_y);
-    d = select<Real>(is_small, { r.x - rest, r.y, r.z }, d);
+    turned_x = select<Real>(special, alongBondAxes<AXIS>(body_axes_1, row_x), turned_x);
+    turned_y = select<Real>(special, alongBondAxes<AXIS>(body_axes_1, row_y), turned_y);
+    stretch = select(is_small, r.x - rest, stretch);
   }
+  bond.d.x = stretch;
   bond.turned_x = turned_x;
   bond.turned_y = turned_y;
   bond.u = u;
-  bond.n = n;
-  bond.d = d;
 }
 
 // Second stage: rotation vectors of both ends in the turned frame (2.2); that of end 1 has no x component.
@@ -463,38 +515,110 @@ inline void checkDivergence(const BodyModel& model, const Bond<Real>& bond, Batc
   }
 }
 
-// What has changed in a bond since the last step that was not a switch step; nothing where this one is. Remembers anew.
-template <class Real>
-inline BondMemory<Real> changes(bool first_step, const Bond<Real>& bond, BondMemory<Real>& memory)
+// What bonds remember of their deformation. Sideways displacements are Nothing where no lane has or remembers any.
+template <class Real, class Sideways>
+struct Deformation
 {
-  const BondMemory<Real> now = { bond.d, bond.a1_y, bond.a1_z, bond.a2 };
-  const BondMemory<Real> before = first_step ? now : memory;
-  BondMemory<Real> change = { now.displacement - before.displacement, now.angle_1_y - before.angle_1_y,
-                              now.angle_1_z - before.angle_1_z, now.angle_2 - before.angle_2 };
-  memory = now;
-  if (bond.switched != 0)
+  Real d_x;
+  Sideways d_y, d_z;
+  Real a1_y, a1_z;
+  Vector<Real> a2;
+};
+
+template <class Real, class Sideways>
+inline Deformation<Real, Sideways> operator-(const Deformation<Real, Sideways>& a, const Deformation<Real, Sideways>& b)
+{
+  return { a.d_x - b.d_x, a.d_y - b.d_y, a.d_z - b.d_z, a.a1_y - b.a1_y, a.a1_z - b.a1_z, a.a2 - b.a2 };
+}
+
+template <class Real, class Sideways>
+inline Deformation<Real, Sideways> select(MaskOf<Real> mask, const Deformation<Real, Sideways>& a,
+                                          const Deformation<Real, Sideways>& b)
+{
+  return { select(mask, a.d_x, b.d_x),   select(mask, a.d_y, b.d_y),   select(mask, a.d_z, b.d_z),
+           select(mask, a.a1_y, b.a1_y), select(mask, a.a1_z, b.a1_z), select<Real>(mask, a.a2, b.a2) };
+}
+
+// The bonds' memories.
+template <class Real>
+struct Memories
+{
+  BondMemory<Real>* regular;
+  SidewaysMemory<Real>* sideways;
+  uint8_t* was_sideways;
+};
+
+template <class Real>
+inline Memories<Real> memoriesOf(const BatchState& state)
+{
+  return { reinterpret_cast<BondMemory<Real>*>(state.bonds), reinterpret_cast<SidewaysMemory<Real>*>(state.sideways),
+           state.was_sideways };
+}
+
+template <class Sideways, class Real>
+inline Deformation<Real, Sideways> recall(const Memories<Real>& memories, int bond)
+{
+  const BondMemory<Real>& m = memories.regular[bond];
+  if constexpr (std::is_same_v<Sideways, Nothing>)
+  {
+    return { m.stretch, {}, {}, m.angle_1_y, m.angle_1_z, m.angle_2 };
+  }
+  else
+  {
+    const SidewaysMemory<Real>& sideways = memories.sideways[bond];
+    return { m.stretch, sideways.y, sideways.z, m.angle_1_y, m.angle_1_z, m.angle_2 };
+  }
+}
+
+template <class Real, class Sideways>
+inline void remember(const Deformation<Real, Sideways>& now, const Memories<Real>& memories, int bond)
+{
+  memories.regular[bond] = { now.d_x, now.a1_y, now.a1_z, now.a2 };
+  if constexpr (!std::is_same_v<Sideways, Nothing>)
+  {
+    memories.sideways[bond] = { now.d_y, now.d_z };
+  }
+}
+
+// What has changed in a bond since the last step that was not a switch step; nothing where this one is. Remembers anew.
+template <class Real, class Sideways>
+inline Deformation<Real, Sideways> changes(bool first_step, const Bond<Real>& bond,
+                                           const Deformation<Real, Sideways>& now, const Memories<Real>& memories)
+{
+  if (first_step)
+  {
+    remember(now, memories, bond.number);
+  }
+  const Deformation<Real, Sideways> before = recall<Sideways>(memories, bond.number);
+  Deformation<Real, Sideways> change = now - before;
+  if (bond.switched == 0)
+  {
+    remember(now, memories, bond.number);
+  }
+  else
   {
     const MaskOf<Real> switched = PackTraits<Real>::maskFromBits(bond.switched);
-    const Real zero = constant<Real>(0.0);
-    const Vector<Real> none = { zero, zero, zero };
-    change = { select<Real>(switched, none, change.displacement), select(switched, zero, change.angle_1_y),
-               select(switched, zero, change.angle_1_z), select<Real>(switched, none, change.angle_2) };
-    memory = { select<Real>(switched, before.displacement, now.displacement),
-               select(switched, before.angle_1_y, now.angle_1_y), select(switched, before.angle_1_z, now.angle_1_z),
-               select<Real>(switched, before.angle_2, now.angle_2) };
+    change = select<Real, Sideways>(switched, before - before, change);
+    remember(select<Real, Sideways>(switched, before, now), memories, bond.number);
   }
   return change;
 }
 
-// Third stage: elastic and damping forces and moments (2.3), turned back to the world and onto both voxels.
+// Which lanes' memories are of the small-angle regime after this step.
 template <class Real>
-inline void applyForces(const BodyModel& model, bool first_step, const Bond<Real>& bond, BondMemory<Real>& memory)
+inline void rememberRegime(bool first_step, const Bond<Real>& bond, uint8_t& was_sideways)
 {
-  const Vector<Real>& d = bond.d;
-  const Vector<Real>& a2 = bond.a2;
-  const BondMemory<Real> change = changes(first_step, bond, memory);
-  const Vector<Real>& dd = change.displacement;
-  const Vector<Real>& da2 = change.angle_2;
+  const uint32_t kept = first_step ? 0u : bond.switched;
+  was_sideways = static_cast<uint8_t>((bond.small & ~kept) | (was_sideways & kept));
+}
+
+// Third stage: elastic and damping forces and moments (2.3), turned back to the world and onto both voxels.
+template <class Sideways, class Real>
+inline void applyForces(const BodyModel& model, bool first_step, const Bond<Real>& bond, Sideways d_y, Sideways d_z,
+                        const Memories<Real>& memories, Load<Real>& load_1, Load<Real>& load_2)
+{
+  const Deformation<Real, Sideways> now = { bond.d.x, d_y, d_z, bond.a1_y, bond.a1_z, bond.a2 };
+  const Deformation<Real, Sideways> change = changes(first_step, bond, now, memories);
   const Real b1 = constant<Real>(model.shear_stiffness);
   const Real b2 = constant<Real>(model.coupling_stiffness);
   const Real b3 = constant<Real>(model.bending_stiffness);
@@ -503,22 +627,25 @@ inline void applyForces(const BodyModel& model, bool first_step, const Bond<Real
   const Real c_b2_moment = constant<Real>(model.coupling_damping_moment);
   const Real c_b3 = constant<Real>(model.bending_damping);
 
-  const Real sum_y = bond.a1_y + a2.y;
-  const Real sum_z = bond.a1_z + a2.z;
-  const Real dsum_y = change.angle_1_y + da2.y;
-  const Real dsum_z = change.angle_1_z + da2.z;
-  const Vector<Real> force = { multiplyAdd(constant<Real>(model.axial_damping), dd.x,
-                                           constant<Real>(model.axial_stiffness) * d.x),
-                               multiplyAdd(c_b1, dd.y, multiplyAdd(-c_b2, dsum_z, multiplyAdd(b1, d.y, -(b2 * sum_z)))),
-                               multiplyAdd(c_b1, dd.z, multiplyAdd(c_b2, dsum_y, multiplyAdd(b1, d.z, b2 * sum_y))) };
-  const Real twist =
-      multiplyAdd(constant<Real>(model.torsion_damping), da2.x, constant<Real>(model.torsion_stiffness) * a2.x);
-  const Real both_y = multiplyAdd(c_b3, dsum_y, multiplyAdd(c_b2_moment, dd.z, multiplyAdd(b3, sum_y, b2 * d.z)));
-  const Real both_z = multiplyAdd(c_b3, dsum_z, multiplyAdd(-c_b2_moment, dd.y, multiplyAdd(b3, sum_z, -(b2 * d.y))));
-  const Real m1_y = multiplyAdd(c_b3, change.angle_1_y, multiplyAdd(b3, bond.a1_y, both_y));
-  const Real m1_z = multiplyAdd(c_b3, change.angle_1_z, multiplyAdd(b3, bond.a1_z, both_z));
-  const Real m2_y = multiplyAdd(c_b3, da2.y, multiplyAdd(b3, a2.y, both_y));
-  const Real m2_z = multiplyAdd(c_b3, da2.z, multiplyAdd(b3, a2.z, both_z));
+  const Real sum_y = now.a1_y + now.a2.y;
+  const Real sum_z = now.a1_z + now.a2.z;
+  const Real dsum_y = change.a1_y + change.a2.y;
+  const Real dsum_z = change.a1_z + change.a2.z;
+  const Vector<Real> force = {
+    multiplyAdd(constant<Real>(model.axial_damping), change.d_x, constant<Real>(model.axial_stiffness) * now.d_x),
+    multiplyAdd(c_b1, change.d_y, multiplyAdd(-c_b2, dsum_z, multiplyAdd(b1, now.d_y, -(b2 * sum_z)))),
+    multiplyAdd(c_b1, change.d_z, multiplyAdd(c_b2, dsum_y, multiplyAdd(b1, now.d_z, b2 * sum_y)))
+  };
+  const Real twist = multiplyAdd(constant<Real>(model.torsion_damping), change.a2.x,
+                                 constant<Real>(model.torsion_stiffness) * now.a2.x);
+  const Real both_y =
+      multiplyAdd(c_b3, dsum_y, multiplyAdd(c_b2_moment, change.d_z, multiplyAdd(b3, sum_y, b2 * now.d_z)));
+  const Real both_z =
+      multiplyAdd(c_b3, dsum_z, multiplyAdd(-c_b2_moment, change.d_y, multiplyAdd(b3, sum_z, -(b2 * now.d_y))));
+  const Real m1_y = multiplyAdd(c_b3, change.a1_y, multiplyAdd(b3, now.a1_y, both_y));
+  const Real m1_z = multiplyAdd(c_b3, change.a1_z, multiplyAdd(b3, now.a1_z, both_z));
+  const Real m2_y = multiplyAdd(c_b3, change.a2.y, multiplyAdd(b3, now.a2.y, both_y));
+  const Real m2_z = multiplyAdd(c_b3, change.a2.z, multiplyAdd(b3, now.a2.z, both_z));
 
   const Vector<Real>& x = bond.turned_x;
   const Vector<Real>& y = bond.turned_y;
@@ -527,22 +654,36 @@ inline void applyForces(const BodyModel& model, bool first_step, const Bond<Real
   const Vector<Real> twist_world = twist * x;
   const Vector<Real> m1_world = multiplyAdd(m1_z, z, multiplyAdd(m1_y, y, -twist_world));
   const Vector<Real> m2_world = multiplyAdd(m2_z, z, multiplyAdd(m2_y, y, twist_world));
-  bond.voxel_1->force = bond.voxel_1->force + force_world;
-  bond.voxel_2->force = bond.voxel_2->force - force_world;
-  bond.voxel_1->moment = bond.voxel_1->moment - m1_world;
-  bond.voxel_2->moment = bond.voxel_2->moment - m2_world;
+  load_1.force = load_1.force + force_world;
+  load_2.force = load_2.force - force_world;
+  load_1.moment = load_1.moment - m1_world;
+  load_2.moment = load_2.moment - m2_world;
 }
 
 // ---- self-collision, physics.md 3 --------------------------------------------------------------------------------
 
+// The sum of the forces of collisions on a voxel, from 0 in each step.
 template <class Real>
-inline void applyCollisions(const BodyModel& model, Voxel<Real>* voxels, const BatchState& state)
+inline Vector<Real>& collisionForce(int voxel, const BatchState& state)
+{
+  Vector<Real>& sum = reinterpret_cast<Vector<Real>*>(state.collision_forces)[voxel];
+  if (state.collided[voxel] == 0)
+  {
+    state.collided[voxel] = 1;
+    const Real zero = constant<Real>(0.0);
+    sum = { zero, zero, zero };
+  }
+  return sum;
+}
+
+template <class Real>
+inline void applyCollisions(const BodyModel& model, const Voxel<Real>* voxels, const BatchState& state)
 {
   for (int i = 0; i < state.collision_pair_count; ++i)
   {
     const CollisionPair& pair = state.collision_pairs[i];
-    Voxel<Real>& a = voxels[pair.voxel_a];
-    Voxel<Real>& b = voxels[pair.voxel_b];
+    const Voxel<Real>& a = voxels[pair.voxel_a];
+    const Voxel<Real>& b = voxels[pair.voxel_b];
     const Vector<Real> apart = b.position - a.position;
     const Real square = dot(apart, apart);
     const Real reach = constant<Real>(0.75) * (a.scale + b.scale);
@@ -552,9 +693,24 @@ inline void applyCollisions(const BodyModel& model, Voxel<Real>* voxels, const B
       const Real distance = squareRoot(square);
       const Real push = constant<Real>(model.axial_stiffness) * (reach - distance) / distance;
       const Vector<Real> force = select(touching, push, constant<Real>(0.0)) * apart;
-      a.force = a.force - force;
-      b.force = b.force + force;
+      Vector<Real>& sum_a = collisionForce<Real>(pair.voxel_a, state);
+      sum_a = sum_a - force;
+      Vector<Real>& sum_b = collisionForce<Real>(pair.voxel_b, state);
+      sum_b = sum_b + force;
     }
+  }
+}
+
+// What acts on a voxel before bonds do.
+template <class Real>
+inline void beginLoad(int voxel, const BodyModel& model, const BatchState& state, Load<Real>& load)
+{
+  const Real zero = constant<Real>(0.0);
+  load = { { zero, zero, zero }, { zero, zero, zero } };
+  if (voxel < model.voxel_count && state.collided[voxel] != 0)
+  {
+    load.force = collisionForce<Real>(voxel, state);
+    state.collided[voxel] = 0;
   }
 }
 
@@ -629,6 +785,19 @@ inline void applyFloor(const BodyModel& model, Real depth, const Vector<Real>& v
   static_friction_bits = static_cast<uint8_t>(bits(held));
 }
 
+// All that acts on a voxel: bonds and collisions, drag, weight and the floor (4.1, 4.2).
+template <class Real>
+inline Vector<Real> totalForce(const BodyModel& model, const Load<Real>& load, Voxel<Real>& voxel,
+                               uint8_t& static_friction_bits)
+{
+  const Vector<Real> velocity = constant<Real>(model.inverse_mass) * voxel.momentum;
+  Vector<Real> force = multiplyAdd(constant<Real>(-model.translation_drag), velocity, load.force);
+  force.y = force.y - constant<Real>(model.weight_along_slope);
+  force.z = force.z - constant<Real>(model.weight);
+  applyFloor(model, penetration(voxel), velocity, voxel, force, static_friction_bits);
+  return force;
+}
+
 template <class Real>
 inline void integrateTranslation(const BodyModel& model, const Vector<Real>& force, Voxel<Real>& voxel)
 {
@@ -637,9 +806,9 @@ inline void integrateTranslation(const BodyModel& model, const Vector<Real>& for
 }
 
 template <class Real>
-inline void integrateRotation(const BodyModel& model, Voxel<Real>& voxel)
+inline void integrateRotation(const BodyModel& model, const Vector<Real>& moment, Voxel<Real>& voxel)
 {
-  const Vector<Real> driven = multiplyAdd(constant<Real>(model.dt), voxel.moment, voxel.angular_momentum);
+  const Vector<Real> driven = multiplyAdd(constant<Real>(model.dt), moment, voxel.angular_momentum);
   const Vector<Real> h = constant<Real>(model.rotation_decay) * driven;
   voxel.angular_momentum = h;
 
@@ -674,22 +843,11 @@ struct StepSums
   Real other_contacts;
 };
 
+// Takes a voxel at the end of its step into account.
 template <class Real>
-inline void moveVoxel(const BodyModel& model, const StepClock& clock, bool in_top_layer, Voxel<Real>& voxel,
-                      uint8_t& static_friction_bits, StepSums<Real>& sums)
+inline void addUp(const Voxel<Real>& voxel, bool in_top_layer, StepSums<Real>& sums)
 {
-  const Vector<Real> velocity = constant<Real>(model.inverse_mass) * voxel.momentum;
-  Vector<Real> force = multiplyAdd(constant<Real>(-model.translation_drag), velocity, voxel.force);
-  force.y = force.y - constant<Real>(model.weight_along_slope);
-  force.z = force.z - constant<Real>(model.weight);
-  applyFloor(model, penetration(voxel), velocity, voxel, force, static_friction_bits);
-  integrateTranslation(model, force, voxel);
-  integrateRotation(model, voxel);
-  voxel.scale = nextScale(model, clock, voxel);
-
   const Real zero = constant<Real>(0.0);
-  voxel.force = { zero, zero, zero };
-  voxel.moment = { zero, zero, zero };
   sums.max_momentum_square = maximum(sums.max_momentum_square, dot(voxel.momentum, voxel.momentum));
   const Real contact = select(zero < penetration(voxel), constant<Real>(1.0), zero);
   Real& contacts = in_top_layer ? sums.top_contacts : sums.other_contacts;
@@ -698,14 +856,22 @@ inline void moveVoxel(const BodyModel& model, const StepClock& clock, bool in_to
 
 // ---- the step ----------------------------------------------------------------------------------------------------
 
-// How many voxels go through the stages together: enough independent work to hide the latency of each operation, little
-// enough to stay in the first-level cache.
-constexpr int GROUP = 4;
+// Voxels that go through the stages together, and their bonds to upper neighbours.
+template <class Real>
+struct Group
+{
+  int first;  // voxel
+  int end;    // the voxel after the last
+  int bond_count;
+  Bond<Real> bonds[3 * VOXEL_GROUP];  // voxel by voxel
+  int bonds_end[VOXEL_GROUP];         // place after a voxel's last bond
+  Load<Real> loads[VOXEL_GROUP];      // what acts on the voxels
+};
 
 // First stage of the bonds to a voxel's upper neighbours. Returns how many there are.
 template <class Real>
-inline int deformBondsOf(int voxel, int first_number, const BodyModel& model, Voxel<Real>* voxels, BatchState& state,
-                         Bond<Real>* bonds)
+inline int deformBondsOf(int voxel, int first_number, const BodyModel& model, const Voxel<Real>* voxels,
+                         BatchState& state, Bond<Real>* bonds)
 {
   const Axes<Real> axes = bodyAxes(voxels[voxel].orientation);
   const uint8_t neighbours = model.upper_neighbours[voxel];
@@ -714,25 +880,21 @@ inline int deformBondsOf(int voxel, int first_number, const BodyModel& model, Vo
   {
     Bond<Real>& bond = bonds[count];
     bond.number = first_number + count;
-    bond.voxel_1 = &voxels[voxel];
-    bond.voxel_2 = &voxels[voxel + model.stride[axis]];
+    bond.axis = axis;
     ++count;
     return bond;
   };
   if ((neighbours & 1) != 0)
   {
-    Bond<Real>& bond = begin(0);
-    deform<0>(model, axes, state.small_angle[bond.number], bond);
+    deform<0>(model, axes, voxels[voxel], voxels[voxel + model.stride[0]], state, begin(0));
   }
   if ((neighbours & 2) != 0)
   {
-    Bond<Real>& bond = begin(1);
-    deform<1>(model, axes, state.small_angle[bond.number], bond);
+    deform<1>(model, axes, voxels[voxel], voxels[voxel + model.stride[1]], state, begin(1));
   }
   if ((neighbours & 4) != 0)
   {
-    Bond<Real>& bond = begin(2);
-    deform<2>(model, axes, state.small_angle[bond.number], bond);
+    deform<2>(model, axes, voxels[voxel], voxels[voxel + model.stride[2]], state, begin(2));
   }
   return count;
 }
@@ -741,60 +903,166 @@ inline int deformBondsOf(int voxel, int first_number, const BodyModel& model, Vo
 // along z. Bodies of more than a few hundred voxels do not fit into the caches of a core.
 template <class Real>
 inline void fetchAhead(int first, int first_number, const BodyModel& model, const Voxel<Real>* voxels,
-                       const BondMemory<Real>* memories)
+                       const Memories<Real>& memories)
 {
-  for (int voxel = first + model.stride[2]; voxel < first + model.stride[2] + GROUP && voxel < model.voxel_count;
+  for (int voxel = first + model.stride[2]; voxel < first + model.stride[2] + VOXEL_GROUP && voxel < model.voxel_count;
        ++voxel)
   {
     prefetch(voxels[voxel]);
   }
-  for (int number = first_number; number < first_number + 3 * GROUP && number < model.bond_count; ++number)
+  for (int number = first_number; number < first_number + 3 * VOXEL_GROUP && number < model.bond_count; ++number)
   {
-    prefetch(memories[number]);
+    prefetch(memories.regular[number]);
   }
 }
 
-// Collisions of all voxels; then, group by group, the bonds to upper neighbours, after which no force on the group's
-// voxels is missing and nothing needs their old state any more, and their motion.
+// The loads of as many voxels as bonds act on at a time, in a ring: a voxel that has been moved makes room for another.
 template <class Real>
-void step(const BodyModel& model, const StepClock& clock, BatchState& state)
+class LoadRing
 {
-  auto* const voxels = reinterpret_cast<Voxel<Real>*>(state.voxels);
-  auto* const memories = reinterpret_cast<BondMemory<Real>*>(state.bonds);
-  const Real zero = constant<Real>(0.0);
-  StepSums<Real> sums = { zero, zero, zero };
-  applyCollisions(model, voxels, state);
-  Bond<Real> bonds[3 * GROUP];
-  int first_number = 0;
-  for (int first = 0; first < model.voxel_count; first += GROUP)
+public:
+  LoadRing(const BodyModel& model, const BatchState& state)
+    : model_(model), state_(state), loads_(reinterpret_cast<Load<Real>*>(state.loads)), size_(loadWindow(model))
   {
-    const int end = first + GROUP < model.voxel_count ? first + GROUP : model.voxel_count;
-    int count = 0;
-    for (int voxel = first; voxel < end; ++voxel)
+    for (int voxel = 0; voxel < size_; ++voxel)
     {
-      count += deformBondsOf(voxel, first_number + count, model, voxels, state, bonds + count);
+      beginLoad(voxel, model, state, loads_[voxel]);
     }
-    fetchAhead(end, first_number + count, model, voxels, memories);
-    for (int i = 0; i < count; ++i)
-    {
-      rotateEnds(bonds[i]);
-      checkDivergence(model, bonds[i], state);
-    }
-    for (int i = 0; i < count; ++i)
-    {
-      applyForces(model, clock.first_step, bonds[i], memories[bonds[i].number]);
-    }
-    for (int voxel = first; voxel < end; ++voxel)
-    {
-      moveVoxel(model, clock, model.in_top_layer[voxel] != 0, voxels[voxel], state.static_friction[voxel], sums);
-    }
-    first_number += count;
   }
+
+  // Of the first voxel that has not been moved.
+  const Load<Real>& first() const { return loads_[place_]; }
+  // Of the voxel that is so many after it.
+  Load<Real>& ahead(int distance) const
+  {
+    const int place = place_ + distance;
+    return loads_[place < size_ ? place : place - size_];
+  }
+  // The first voxel is going to be moved.
+  void advance()
+  {
+    beginLoad(first_ + size_, model_, state_, loads_[place_]);
+    ++first_;
+    place_ = place_ + 1 < size_ ? place_ + 1 : 0;
+  }
+
+private:
+  const BodyModel& model_;
+  const BatchState& state_;
+  Load<Real>* loads_;
+  int size_;
+  int first_ = 0;
+  int place_ = 0;
+};
+
+template <class Real>
+inline void deformBonds(int first_number, const BodyModel& model, const Voxel<Real>* voxels, BatchState& state,
+                        Group<Real>& group)
+{
+  group.bond_count = 0;
+  for (int voxel = group.first; voxel < group.end; ++voxel)
+  {
+    const int number = first_number + group.bond_count;
+    group.bond_count += deformBondsOf(voxel, number, model, voxels, state, group.bonds + group.bond_count);
+    group.bonds_end[voxel - group.first] = group.bond_count;
+  }
+}
+
+template <class Real>
+inline void rotateEndsOfBonds(const BodyModel& model, BatchState& state, Group<Real>& group)
+{
+  for (int i = 0; i < group.bond_count; ++i)
+  {
+    rotateEnds(group.bonds[i]);
+    checkDivergence(model, group.bonds[i], state);
+  }
+}
+
+// Third stage of the bonds to upper neighbours, voxel by voxel.
+template <class Real>
+inline void applyForcesOfBonds(const BodyModel& model, bool first_step, const Memories<Real>& memories,
+                               LoadRing<Real>& ring, Group<Real>& group)
+{
+  int i = 0;
+  for (int voxel = 0; voxel < group.end - group.first; ++voxel)
+  {
+    Load<Real> load = ring.first();
+    for (; i < group.bonds_end[voxel]; ++i)
+    {
+      const Bond<Real>& bond = group.bonds[i];
+      Load<Real>& other = ring.ahead(model.stride[bond.axis]);
+      if (bond.sideways == 0)
+      {
+        applyForces(model, first_step, bond, Nothing(), Nothing(), memories, load, other);
+      }
+      else
+      {
+        applyForces(model, first_step, bond, bond.d.y, bond.d.z, memories, load, other);
+        rememberRegime(first_step, bond, memories.was_sideways[bond.number]);
+      }
+    }
+    ring.advance();
+    group.loads[voxel] = load;
+  }
+}
+
+// In loops of their own, so that each voxel's chains of operations are short enough to overlap with the next one's.
+template <class Real>
+inline void moveVoxels(const BodyModel& model, const StepClock& clock, const Group<Real>& group, Voxel<Real>* voxels,
+                       uint8_t* static_friction, StepSums<Real>& sums)
+{
+  for (int i = group.first; i < group.end; ++i)
+  {
+    const Vector<Real> force = totalForce(model, group.loads[i - group.first], voxels[i], static_friction[i]);
+    integrateTranslation(model, force, voxels[i]);
+  }
+  for (int i = group.first; i < group.end; ++i)
+  {
+    integrateRotation(model, group.loads[i - group.first].moment, voxels[i]);
+  }
+  for (int i = group.first; i < group.end; ++i)
+  {
+    voxels[i].scale = nextScale(model, clock, voxels[i]);
+    addUp(voxels[i], model.in_top_layer[i] != 0, sums);
+  }
+}
+
+template <class Real>
+inline void report(const BodyModel& model, const StepSums<Real>& sums, BatchState& state)
+{
   const Real inverse_mass_square = constant<Real>(model.inverse_mass * model.inverse_mass);
   const Real max_speed_square = inverse_mass_square * sums.max_momentum_square;
   std::memcpy(state.max_speed_squared, &max_speed_square, sizeof max_speed_square);
   std::memcpy(state.top_contacts, &sums.top_contacts, sizeof sums.top_contacts);
   std::memcpy(state.other_contacts, &sums.other_contacts, sizeof sums.other_contacts);
+}
+
+// Collisions of all voxels; then, group by group, the bonds to upper neighbours, after which no force on the group's
+// voxels is missing and nothing needs their old state any more, and their motion.
+template <class Real>
+void step(const BodyModel& shared_model, const StepClock& shared_clock, BatchState& state)
+{
+  const BodyModel model = shared_model;  // copies, which no write to the state can change
+  const StepClock clock = shared_clock;
+  auto* const voxels = reinterpret_cast<Voxel<Real>*>(state.voxels);
+  const Memories<Real> memories = memoriesOf<Real>(state);
+  const Real zero = constant<Real>(0.0);
+  StepSums<Real> sums = { zero, zero, zero };
+  applyCollisions(model, voxels, state);
+  LoadRing<Real> ring(model, state);
+  Group<Real> group;
+  int first_number = 0;
+  for (group.first = 0; group.first < model.voxel_count; group.first = group.end)
+  {
+    group.end = group.first + VOXEL_GROUP < model.voxel_count ? group.first + VOXEL_GROUP : model.voxel_count;
+    deformBonds(first_number, model, voxels, state, group);
+    first_number += group.bond_count;
+    fetchAhead(group.end, first_number, model, voxels, memories);
+    rotateEndsOfBonds(model, state, group);
+    applyForcesOfBonds(model, clock.first_step, memories, ring, group);
+    moveVoxels(model, clock, group, voxels, state.static_friction, sums);
+  }
+  report(model, sums, state);
 }
 }  // namespace
 }  // namespace devo_evo

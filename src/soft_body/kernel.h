@@ -70,30 +70,53 @@ enum VoxelField : int
   MOMENTUM = 7,           ///< x, y, z
   ANGULAR_MOMENTUM = 10,  ///< x, y, z
   SCALE = 13,             ///< present resting edge length
-  FORCE = 14,             ///< x, y, z: sum over bonds and collisions within a step
-  MOMENT = 17,            ///< x, y, z: likewise
-  SIZE_AT_BIRTH = 20,     ///< resting length at birth
-  SIZE_CHANGE = 21,       ///< from birth to the end of life
-  PHASE_AT_BIRTH = 22,    ///< [cycles]
-  PHASE_CHANGE = 23,      ///< [cycles]
-  VOXEL_FIELDS = 24
+  SIZE_AT_BIRTH = 14,     ///< resting length at birth
+  SIZE_CHANGE = 15,       ///< from birth to the end of life
+  PHASE_AT_BIRTH = 16,    ///< [cycles]
+  PHASE_CHANGE = 17,      ///< [cycles]
+  VOXEL_FIELDS = 18
 };
 
 /// Offsets of what a bond remembers from the last step that was not a switch step.
 enum BondField : int
 {
-  DISPLACEMENT = 0,  ///< d: x, y, z
-  ANGLE_1 = 3,       ///< alpha_1: y, z (its x is always 0)
-  ANGLE_2 = 5,       ///< alpha_2: x, y, z
-  BOND_FIELDS = 8
+  STRETCH = 0,  ///< d: x
+  ANGLE_1 = 1,  ///< alpha_1: y, z (its x is always 0)
+  ANGLE_2 = 3,  ///< alpha_2: x, y, z
+  BOND_FIELDS = 6
 };
+
+/// Numbers that a bond remembers besides: d: y, z. They are 0 in the large-angle regime, so almost never used.
+constexpr int SIDEWAYS_FIELDS = 2;
+
+/// Numbers of a sum of loads on a voxel within a step: force and moment, each x, y, z.
+constexpr int LOAD_FIELDS = 6;
+
+/// Numbers of a sum of collision forces on a voxel: x, y, z.
+constexpr int COLLISION_FIELDS = 3;
+
+/// How many voxels go through the stages of a step together: enough independent work to hide the latency of each
+/// operation, little enough to stay in the first-level cache.
+constexpr int VOXEL_GROUP = 4;
+
+/// Of how many voxels at most loads are being added up at a time: from the first of a group to the upper neighbour
+/// along z of the last.
+inline int loadWindow(const BodyModel& model)
+{
+  return model.stride[2] + VOXEL_GROUP;
+}
 
 /// The state of a batch of robots, one a lane.
 struct BatchState
 {
   double* voxels;            ///< (voxel_count x VOXEL_FIELDS x lanes), aligned to 64 bytes
   double* bonds;             ///< (bond_count x BOND_FIELDS x lanes), aligned to 64 bytes
+  double* sideways;          ///< (bond_count x SIDEWAYS_FIELDS x lanes), aligned to 64 bytes
+  double* loads;             ///< (loadWindow() x LOAD_FIELDS x lanes), aligned to 64 bytes: the kernel's to use
+  double* collision_forces;  ///< (voxel_count x COLLISION_FIELDS x lanes), aligned to 64 bytes: likewise
+  uint8_t* collided;         ///< (voxel_count): likewise; 0 between steps
   uint8_t* small_angle;      ///< (bond_count), bit l: lane l's bond is in the small-angle regime
+  uint8_t* was_sideways;     ///< (bond_count), bit l: what lane l's bond remembers is from the small-angle regime
   uint8_t* static_friction;  ///< (voxel_count), bit l: the floor holds lane l's voxel
 
   const CollisionPair* collision_pairs;  ///< in ascending order of (voxel_a, voxel_b)

@@ -28,6 +28,14 @@ inline void prefetch(const Object& object)
   }
 }
 
+// -a. Fused multiplications and additions take the sign in for nothing; elsewhere it is a pack like others.
+template <class Pack>
+struct Negated
+{
+  Pack a;
+  operator Pack() const { return flipSign(a); }
+};
+
 // ---- double: one robot -------------------------------------------------------------------------------------------
 template <class Real>
 struct PackTraits;
@@ -121,9 +129,13 @@ inline Pack8 operator/(Pack8 a, Pack8 b)
 {
   return { _mm512_div_pd(a.v, b.v) };
 }
-inline Pack8 operator-(Pack8 a)
+inline Pack8 flipSign(Pack8 a)
 {
   return { -a.v };
+}
+inline Negated<Pack8> operator-(Pack8 a)
+{
+  return { a };
 }
 inline Mask8 operator<(Pack8 a, Pack8 b)
 {
@@ -152,6 +164,18 @@ inline Mask8 operator!(Mask8 a)
 inline Pack8 multiplyAdd(Pack8 a, Pack8 b, Pack8 c)
 {
   return { _mm512_fmadd_pd(a.v, b.v, c.v) };
+}
+inline Pack8 multiplyAdd(Negated<Pack8> a, Pack8 b, Pack8 c)
+{
+  return { _mm512_fnmadd_pd(a.a.v, b.v, c.v) };
+}
+inline Pack8 multiplyAdd(Pack8 a, Pack8 b, Negated<Pack8> c)
+{
+  return { _mm512_fmsub_pd(a.v, b.v, c.a.v) };
+}
+inline Pack8 multiplyAdd(Negated<Pack8> a, Pack8 b, Negated<Pack8> c)
+{
+  return { _mm512_fnmsub_pd(a.a.v, b.v, c.a.v) };
 }
 inline Pack8 squareRoot(Pack8 a)
 {
@@ -222,9 +246,13 @@ inline Pack4 operator/(Pack4 a, Pack4 b)
 {
   return { _mm256_div_pd(a.v, b.v) };
 }
-inline Pack4 operator-(Pack4 a)
+inline Pack4 flipSign(Pack4 a)
 {
   return { -a.v };
+}
+inline Negated<Pack4> operator-(Pack4 a)
+{
+  return { a };
 }
 inline Mask4 operator<(Pack4 a, Pack4 b)
 {
@@ -254,6 +282,18 @@ inline Pack4 multiplyAdd(Pack4 a, Pack4 b, Pack4 c)
 {
   return { _mm256_fmadd_pd(a.v, b.v, c.v) };
 }
+inline Pack4 multiplyAdd(Negated<Pack4> a, Pack4 b, Pack4 c)
+{
+  return { _mm256_fnmadd_pd(a.a.v, b.v, c.v) };
+}
+inline Pack4 multiplyAdd(Pack4 a, Pack4 b, Negated<Pack4> c)
+{
+  return { _mm256_fmsub_pd(a.v, b.v, c.a.v) };
+}
+inline Pack4 multiplyAdd(Negated<Pack4> a, Pack4 b, Negated<Pack4> c)
+{
+  return { _mm256_fnmsub_pd(a.a.v, b.v, c.a.v) };
+}
 inline Pack4 squareRoot(Pack4 a)
 {
   return { _mm256_sqrt_pd(a.v) };
@@ -282,6 +322,41 @@ inline Pack4 flipSignWhereOdd(Pack4 value, Pack4 integer)
 }
 #endif
 
+// ---- nothing -----------------------------------------------------------------------------------------------------
+// A number that is known to be 0, which takes no operations.
+struct Nothing
+{
+};
+
+inline Nothing operator-(Nothing)
+{
+  return {};
+}
+inline Nothing operator-(Nothing, Nothing)
+{
+  return {};
+}
+template <class Mask>
+inline Nothing select(Mask, Nothing, Nothing)
+{
+  return {};
+}
+template <class Real>
+inline Nothing operator*(Real, Nothing)
+{
+  return {};
+}
+template <class Real, class Addend>
+inline Addend multiplyAdd(Real, Nothing, Addend c)
+{
+  return c;
+}
+template <class Real>
+inline Real multiplyAdd(Real a, Real b, Nothing)
+{
+  return a * b;
+}
+
 // ---- for every type ----------------------------------------------------------------------------------------------
 template <class Real>
 using MaskOf = typename PackTraits<Real>::Mask;
@@ -296,6 +371,24 @@ template <class Mask>
 inline bool any(Mask mask)
 {
   return bits(mask) != 0;
+}
+
+template <class Pack>
+inline Pack operator-(Negated<Pack> a)
+{
+  return a.a;
+}
+
+template <class Pack>
+inline Negated<Pack> operator*(Pack a, Negated<Pack> b)
+{
+  return { a * b.a };
+}
+
+template <class Pack, class Addend>
+inline Pack multiplyAdd(Pack a, Negated<Pack> b, Addend c)
+{
+  return multiplyAdd(Negated<Pack>{ a }, b.a, c);
 }
 
 // Where the comparison is false, also for NaN, the second is taken: the same in each type.

@@ -1,5 +1,6 @@
 #include "devo_evo/soft_body/simulation.h"
 
+#include "batch_memory.h"
 #include "body_model.h"
 #include "collision_list.h"
 #include "kernel.h"
@@ -9,31 +10,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <new>
 
 namespace devo_evo
 {
 namespace
 {
-/// Zeroed doubles, aligned for every instruction set.
-class AlignedArray
-{
-public:
-  explicit AlignedArray(size_t size) : values_(static_cast<double*>(::operator new(size * sizeof(double), ALIGNMENT)))
-  {
-    std::fill_n(values_, size, 0.0);
-  }
-  ~AlignedArray() { ::operator delete(values_, ALIGNMENT); }
-  AlignedArray(const AlignedArray&) = delete;
-  AlignedArray& operator=(const AlignedArray&) = delete;
-
-  double* data() const { return values_; }
-
-private:
-  static constexpr std::align_val_t ALIGNMENT{ 64 };
-  double* values_;
-};
-
 constexpr double SIZE_RANGE = 0.75;  // resting length = L (1 + 0.75 gene)
 
 class BatchSimulation : public Simulation
@@ -46,17 +27,11 @@ public:
     , lattice_(settings)
     , constants_(settings, lattice_)
     , robots_(static_cast<int>(programs.size()))
-    , voxels_(static_cast<size_t>(lattice_.voxelCount() * VOXEL_FIELDS * kernel.lanes))
-    , bonds_(lattice_.bonds().size() * static_cast<size_t>(BOND_FIELDS * kernel.lanes))
-    , small_angle_(lattice_.bonds().size(), 0xff)
-    , static_friction_(static_cast<size_t>(lattice_.voxelCount()), 0)
+    , memory_(constants_.model(), kernel.lanes)
     , collisions_(lattice_, settings.voxel_size, kernel.lanes, robots_)
     , lives_(programs.size())
   {
-    state_.voxels = voxels_.data();
-    state_.bonds = bonds_.data();
-    state_.small_angle = small_angle_.data();
-    state_.static_friction = static_friction_.data();
+    memory_.lendTo(state_);
     for (int lane = 0; lane < kernel_.lanes; ++lane)
     {
       placeRobot(lane, lane < robots_ ? programs[static_cast<size_t>(lane)] : programs.front());
@@ -153,7 +128,7 @@ public:
 private:
   double& at(int lane, int voxel, int field) const
   {
-    return voxels_.data()[(voxel * VOXEL_FIELDS + field) * kernel_.lanes + lane];
+    return state_.voxels[(voxel * VOXEL_FIELDS + field) * kernel_.lanes + lane];
   }
 
   Eigen::Vector3d vectorAt(int lane, int voxel, int field) const
@@ -169,7 +144,7 @@ private:
 
   bool staticFriction(int lane, int voxel) const
   {
-    return (static_friction_[static_cast<size_t>(voxel)] >> lane & 1) != 0;
+    return (memory_.static_friction[static_cast<size_t>(voxel)] >> lane & 1) != 0;
   }
 
   /// At rest on its lattice place, unrotated, at nominal size.
@@ -262,13 +237,20 @@ private:
 
   void clearBonds(int lane)
   {
+    const auto clear = [&](double* numbers, size_t bond, int fields)
+    {
+      for (int field = 0; field < fields; ++field)
+      {
+        numbers[(static_cast<int>(bond) * fields + field) * kernel_.lanes + lane] = 0.0;
+      }
+    };
+    const unsigned bit = 1u << lane;
     for (size_t bond = 0; bond < lattice_.bonds().size(); ++bond)
     {
-      for (int field = 0; field < BOND_FIELDS; ++field)
-      {
-        bonds_.data()[(static_cast<int>(bond) * BOND_FIELDS + field) * kernel_.lanes + lane] = 0.0;
-      }
-      small_angle_[bond] = static_cast<uint8_t>(small_angle_[bond] | 1u << lane);
+      clear(state_.bonds, bond, BOND_FIELDS);
+      clear(state_.sideways, bond, SIDEWAYS_FIELDS);
+      memory_.small_angle[bond] = static_cast<uint8_t>(memory_.small_angle[bond] | bit);
+      memory_.was_sideways[bond] = static_cast<uint8_t>(memory_.was_sideways[bond] & ~bit);
     }
   }
 
@@ -291,10 +273,7 @@ private:
   const Lattice lattice_;
   const BodyConstants constants_;
   const int robots_;
-  AlignedArray voxels_;
-  AlignedArray bonds_;
-  std::vector<uint8_t> small_angle_;
-  std::vector<uint8_t> static_friction_;
+  BatchMemory memory_;
   CollisionList collisions_;
   std::vector<LifeRecord> lives_;
   BatchState state_{};

@@ -16,78 +16,71 @@ inline void keep(const Value& value)
   asm volatile("" : : "g"(&value) : "memory");
 }
 
-/// The kernel's moveVoxel(), up to a part.
+/// The kernel's moveVoxels(), up to a part.
 template <int LAST, class Real>
-inline void moveVoxelUntil(const BodyModel& model, const StepClock& clock, bool in_top_layer, Voxel<Real>& voxel,
-                           uint8_t& static_friction_bits, StepSums<Real>& sums)
+inline void moveVoxelsUntil(const BodyModel& model, const StepClock& clock, const Group<Real>& group,
+                            Voxel<Real>* voxels, uint8_t* static_friction, StepSums<Real>& sums)
 {
   if constexpr (LAST >= BOOK_KEEPING)
   {
-    moveVoxel(model, clock, in_top_layer, voxel, static_friction_bits, sums);
+    moveVoxels(model, clock, group, voxels, static_friction, sums);
     return;
   }
-  const Vector<Real> velocity = constant<Real>(model.inverse_mass) * voxel.momentum;
-  Vector<Real> force = multiplyAdd(constant<Real>(-model.translation_drag), velocity, voxel.force);
-  force.z = force.z - constant<Real>(model.weight);
-  applyFloor(model, penetration(voxel), velocity, voxel, force, static_friction_bits);
-  keep(force);
-  if constexpr (LAST >= TRANSLATION)
+  for (int i = group.first; i < group.end; ++i)
   {
-    integrateTranslation(model, force, voxel);
+    const Vector<Real> force = totalForce(model, group.loads[i - group.first], voxels[i], static_friction[i]);
+    keep(force);
+    if constexpr (LAST >= TRANSLATION)
+    {
+      integrateTranslation(model, force, voxels[i]);
+    }
   }
-  if constexpr (LAST >= ROTATION)
+  for (int i = group.first; LAST >= ROTATION && i < group.end; ++i)
   {
-    integrateRotation(model, voxel);
+    integrateRotation(model, group.loads[i - group.first].moment, voxels[i]);
   }
-  if constexpr (LAST >= ACTUATION)
+  for (int i = group.first; LAST >= ACTUATION && i < group.end; ++i)
   {
-    voxel.scale = nextScale(model, clock, voxel);
+    voxels[i].scale = nextScale(model, clock, voxels[i]);
   }
 }
 
 /// The kernel's step(), up to a part.
 template <int LAST, class Real>
-void stepUntil(const BodyModel& model, const StepClock& clock, BatchState& state)
+void stepUntil(const BodyModel& shared_model, const StepClock& shared_clock, BatchState& state)
 {
+  const BodyModel model = shared_model;
+  const StepClock clock = shared_clock;
   auto* const voxels = reinterpret_cast<Voxel<Real>*>(state.voxels);
-  auto* const memories = reinterpret_cast<BondMemory<Real>*>(state.bonds);
+  const Memories<Real> memories = memoriesOf<Real>(state);
   const Real zero = constant<Real>(0.0);
   StepSums<Real> sums = { zero, zero, zero };
   applyCollisions(model, voxels, state);
-  Bond<Real> bonds[3 * GROUP];
+  LoadRing<Real> ring(model, state);
+  Group<Real> group;
   int first_number = 0;
-  for (int first = 0; LAST >= DEFORMATION && first < model.voxel_count; first += GROUP)
+  for (group.first = 0; LAST >= DEFORMATION && group.first < model.voxel_count; group.first = group.end)
   {
-    const int end = first + GROUP < model.voxel_count ? first + GROUP : model.voxel_count;
-    int count = 0;
-    for (int voxel = first; voxel < end; ++voxel)
+    group.end = group.first + VOXEL_GROUP < model.voxel_count ? group.first + VOXEL_GROUP : model.voxel_count;
+    deformBonds(first_number, model, voxels, state, group);
+    first_number += group.bond_count;
+    fetchAhead(group.end, first_number, model, voxels, memories);
+    keep(group);
+    if constexpr (LAST >= ROTATIONS)
     {
-      count += deformBondsOf(voxel, first_number + count, model, voxels, state, bonds + count);
+      rotateEndsOfBonds(model, state, group);
+      keep(group);
     }
-    fetchAhead(end, first_number + count, model, voxels, memories);
-    keep(bonds);
-    for (int i = 0; LAST >= ROTATIONS && i < count; ++i)
+    if constexpr (LAST >= LOADS)
     {
-      rotateEnds(bonds[i]);
-      checkDivergence(model, bonds[i], state);
+      applyForcesOfBonds(model, clock.first_step, memories, ring, group);
     }
-    keep(bonds);
-    for (int i = 0; LAST >= LOADS && i < count; ++i)
+    if constexpr (LAST >= FLOOR)
     {
-      applyForces(model, clock.first_step, bonds[i], memories[bonds[i].number]);
+      moveVoxelsUntil<LAST>(model, clock, group, voxels, state.static_friction, sums);
     }
-    for (int voxel = first; LAST >= FLOOR && voxel < end; ++voxel)
-    {
-      moveVoxelUntil<LAST>(model, clock, model.in_top_layer[voxel] != 0, voxels[voxel], state.static_friction[voxel],
-                           sums);
-    }
-    first_number += count;
   }
-  const Real inverse_mass_square = constant<Real>(model.inverse_mass * model.inverse_mass);
-  const Real max_speed_square = inverse_mass_square * sums.max_momentum_square;
-  std::memcpy(state.max_speed_squared, &max_speed_square, sizeof max_speed_square);
-  std::memcpy(state.top_contacts, &sums.top_contacts, sizeof sums.top_contacts);
-  std::memcpy(state.other_contacts, &sums.other_contacts, sizeof sums.other_contacts);
+  report(model, sums, state);
 }
 
 template <class Real>

@@ -6,14 +6,6 @@
 
 namespace devo_evo
 {
-namespace
-{
-std::vector<Moment::Row> makeRows(size_t numbers)
-{
-  return std::vector<Moment::Row>((numbers + MAX_LANES - 1) / MAX_LANES);
-}
-}  // namespace
-
 LivingBatch::LivingBatch(const SoftBodySettings& settings, const std::vector<DevelopmentalProgram>& robots,
                          const Kernel& kernel, int listings)
   : settings_(settings)
@@ -22,33 +14,23 @@ LivingBatch::LivingBatch(const SoftBodySettings& settings, const std::vector<Dev
   , constants_(settings, lattice_)
   , collisions_(static_cast<size_t>(listings),
                 CollisionList(lattice_, settings.voxel_size, kernel.lanes, static_cast<int>(robots.size())))
+  , memory_(constants_.model(), kernel.lanes)
 {
-  const auto voxels = static_cast<size_t>(lattice_.voxelCount());
-  const auto bonds = lattice_.bonds().size();
+  memory_.lendTo(state_);
   const auto lanes = static_cast<size_t>(kernel.lanes);
-  arrays_.voxels = makeRows(voxels * VOXEL_FIELDS * lanes);
-  arrays_.bonds = makeRows(bonds * BOND_FIELDS * lanes);
-  arrays_.small_angle.assign(bonds, 0xff);
-  arrays_.static_friction.assign(voxels, 0);
-  state_.voxels = arrays_.voxels.data()->lanes;
-  state_.bonds = arrays_.bonds.data()->lanes;
-  state_.small_angle = arrays_.small_angle.data();
-  state_.static_friction = arrays_.static_friction.data();
   for (size_t lane = 0; lane < lanes; ++lane)
   {
     placeRobot(static_cast<int>(lane), robots[std::min(lane, robots.size() - 1)]);
   }
 }
 
-void LivingBatch::step(Moment* moment)
+void LivingBatch::step(std::vector<Moment>* moments)
 {
   list();
   const StepClock now = clock();
-  if (moment != nullptr)
+  if (moments != nullptr)
   {
-    *moment = arrays_;
-    moment->clock = now;
-    moment->pairs = collisions_.front().pairs();
+    moments->push_back({ now, memory_, collisions_.front().pairs() });
   }
   kernel_.step(model(), now, state_);
   if (state_.diverged != 0)
@@ -61,10 +43,8 @@ void LivingBatch::step(Moment* moment)
 
 void LivingBatch::restore(const Moment& moment)
 {
-  std::copy(moment.voxels.begin(), moment.voxels.end(), arrays_.voxels.begin());
-  std::copy(moment.bonds.begin(), moment.bonds.end(), arrays_.bonds.begin());
-  std::copy(moment.small_angle.begin(), moment.small_angle.end(), arrays_.small_angle.begin());
-  std::copy(moment.static_friction.begin(), moment.static_friction.end(), arrays_.static_friction.begin());
+  memory_ = moment.memory;
+  memory_.lendTo(state_);
   state_.collision_pairs = moment.pairs.data();
   state_.collision_pair_count = static_cast<int>(moment.pairs.size());
 }

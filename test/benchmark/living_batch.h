@@ -3,6 +3,7 @@
 #include "devo_evo/soft_body/developmental_program.h"
 #include "devo_evo/soft_body/lattice.h"
 
+#include "soft_body/batch_memory.h"
 #include "soft_body/body_model.h"
 #include "soft_body/collision_list.h"
 #include "soft_body/kernel.h"
@@ -15,17 +16,8 @@ namespace devo_evo
 /// What a kernel is given to advance a batch by one step.
 struct Moment
 {
-  /// One quantity in some lanes, aligned as kernels want it.
-  struct alignas(64) Row
-  {
-    double lanes[MAX_LANES];
-  };
-
   StepClock clock;
-  std::vector<Row> voxels;
-  std::vector<Row> bonds;
-  std::vector<uint8_t> small_angle;
-  std::vector<uint8_t> static_friction;
+  BatchMemory memory;
   std::vector<CollisionPair> pairs;
 };
 
@@ -43,8 +35,8 @@ public:
   double time() const { return time_; }
   int64_t stepCount() const { return step_count_; }
 
-  /// @param moment if given, gets what the kernel is given.
-  void step(Moment* moment = nullptr);
+  /// @param moments if given, gets what the kernel is given appended.
+  void step(std::vector<Moment>* moments = nullptr);
 
   /// Gives the kernel's arrays the values they had in a moment of this or another batch of the same body and number of
   /// lanes. The moment must outlive their use.
@@ -52,7 +44,7 @@ public:
 
   const BodyModel& model() const { return constants_.model(); }
   BatchState& state() { return state_; }
-  const Moment& arrays() const { return arrays_; }
+  const BatchMemory& memory() const { return memory_; }
 
 private:
   double& at(int lane, int voxel, int field);
@@ -65,7 +57,7 @@ private:
   const Lattice lattice_;
   const BodyConstants constants_;
   std::vector<CollisionList> collisions_;
-  Moment arrays_;  ///< without clock and pairs
+  BatchMemory memory_;
   BatchState state_{};
   int64_t step_count_ = 0;
   double time_ = 0.0;

@@ -112,13 +112,13 @@ void checkLivesAsSimulated(LivingBatch& batch, const SoftBodySettings& settings,
 /// @throw std::runtime_error unless the parts together do what the kernel does.
 void checkPartsMakeUpKernel(LivingBatch& batch, const Moment& moment, const Target& target)
 {
-  const auto bytes = [](const std::vector<Moment::Row>& rows) { return rows.size() * sizeof(Moment::Row); };
+  const auto bytes = [](const std::vector<BatchMemory::Row>& rows) { return rows.size() * sizeof(BatchMemory::Row); };
   batch.restore(moment);
   target.kernel->step(batch.model(), moment.clock, batch.state());
-  const Moment expected = batch.arrays();
+  const BatchMemory expected = batch.memory();
   batch.restore(moment);
   target.parts->step_until[BOOK_KEEPING](batch.model(), moment.clock, batch.state());
-  const Moment& found = batch.arrays();
+  const BatchMemory& found = batch.memory();
   if (std::memcmp(found.voxels.data(), expected.voxels.data(), bytes(found.voxels)) != 0 ||
       std::memcmp(found.bonds.data(), expected.bonds.data(), bytes(found.bonds)) != 0)
   {
@@ -138,13 +138,9 @@ std::vector<Moment> collectMoments(const Target& target)
     while (!batch.finished())
     {
       const double due = SETTLING_TIME + groups.settings.lifetime * (taken + 0.5) / MOMENTS;
-      Moment* moment = nullptr;
-      if (taken < MOMENTS && batch.time() > due)
-      {
-        moment = &moments.emplace_back();
-        ++taken;
-      }
-      batch.step(moment);
+      const bool wanted = taken < MOMENTS && batch.time() > due;
+      batch.step(wanted ? &moments : nullptr);
+      taken += wanted ? 1 : 0;
     }
     checkLivesAsSimulated(batch, groups.settings, robots, target);
     checkPartsMakeUpKernel(batch, moments.back(), target);
@@ -255,7 +251,7 @@ void runParts(benchmark::State& state, const Target& target)
     state.counters[name + ".selections"] = counts.selections;
   }
   state.counters["kernel.us"] = 1e6 * seconds.back();
-  state.counters["bonds"] = static_cast<double>(moments.front().small_angle.size());
+  state.counters["bonds"] = static_cast<double>(moments.front().memory.small_angle.size());
   state.counters["voxels"] = groups.settings.voxelCount();
 }
 

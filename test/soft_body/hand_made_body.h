@@ -3,13 +3,13 @@
 #include "devo_evo/soft_body/lattice.h"
 #include "devo_evo/soft_body/settings.h"
 
+#include "soft_body/batch_memory.h"
 #include "soft_body/body_model.h"
 #include "soft_body/collision_list.h"
 #include "soft_body/kernel.h"
 
 #include <Eigen/Geometry>
 
-#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -25,16 +25,10 @@ public:
     : kernel_(kernel)
     , lattice_(settings)
     , constants_(settings, lattice_)
-    , voxels_(static_cast<size_t>(lattice_.voxelCount() * VOXEL_FIELDS))
-    , bonds_(std::max<size_t>(1, lattice_.bonds().size()) * BOND_FIELDS)
-    , small_angle_(lattice_.bonds().size(), 0xff)
-    , static_friction_(static_cast<size_t>(lattice_.voxelCount()), 0)
+    , memory_(constants_.model(), kernel.lanes)
     , collisions_(lattice_, settings.voxel_size, kernel.lanes, 1)
   {
-    state_.voxels = voxels_.data()->lanes;
-    state_.bonds = bonds_.data()->lanes;
-    state_.small_angle = small_angle_.data();
-    state_.static_friction = static_friction_.data();
+    memory_.lendTo(state_);
     for (int lane = 0; lane < kernel_.lanes; ++lane)
     {
       for (int voxel = 0; voxel < lattice_.voxelCount(); ++voxel)
@@ -96,11 +90,17 @@ public:
     at(voxel, SIZE_AT_BIRTH, lane) = scale;
   }
 
-  bool smallAngle(int bond, int lane = 0) const { return (small_angle_[static_cast<size_t>(bond)] >> lane & 1) != 0; }
-  void setSmallAngle(int bond, bool small_angle) { small_angle_[static_cast<size_t>(bond)] = small_angle ? 1 : 0; }
+  bool smallAngle(int bond, int lane = 0) const
+  {
+    return (memory_.small_angle[static_cast<size_t>(bond)] >> lane & 1) != 0;
+  }
+  void setSmallAngle(int bond, bool small_angle)
+  {
+    memory_.small_angle[static_cast<size_t>(bond)] = small_angle ? 1 : 0;
+  }
   bool staticFriction(int voxel, int lane = 0) const
   {
-    return (static_friction_[static_cast<size_t>(voxel)] >> lane & 1) != 0;
+    return (memory_.static_friction[static_cast<size_t>(voxel)] >> lane & 1) != 0;
   }
 
   /// Lists the pairs that may collide, as every simulation does before a step.
@@ -138,19 +138,10 @@ public:
   }
 
 private:
-  /// One quantity of one voxel or bond in every lane of the widest kernel, aligned as kernels want it.
-  struct alignas(64) Row
-  {
-    double lanes[MAX_LANES];
-  };
-
   const Kernel& kernel_;
   const Lattice lattice_;
   const BodyConstants constants_;
-  std::vector<Row> voxels_;
-  std::vector<Row> bonds_;
-  std::vector<uint8_t> small_angle_;
-  std::vector<uint8_t> static_friction_;
+  BatchMemory memory_;
   CollisionList collisions_;
   BatchState state_{};
 };
