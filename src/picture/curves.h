@@ -4,8 +4,6 @@
 #include "picture/canvas.h"
 
 #include <string>
-#include <utility>
-#include <vector>
 
 namespace devo_evo
 {
@@ -17,9 +15,6 @@ struct PlotArea
 
   PicturePoint at(double data_x, double data_y) const;
 };
-
-/// Round numbers that divide a range into about `count` parts.
-std::vector<double> roundTicks(double from, double to, int count);
 
 /// The axes of a plot: lines at the left and below, ticks with numbers, a title above.
 void drawAxes(Canvas& canvas, const PlotArea& area, const std::string& title, const std::string& x_label, double scale);
