@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""Dependencies point one way: nothing outside src/ros and src/nodes knows of ROS, and the inner layers not of the outer."""
+"""Dependencies point one way: nothing outside src/ros, src/rviz_plugin and src/nodes knows of ROS or Qt, and the inner layers
+not of the outer."""
 
 import pathlib
 import re
@@ -26,7 +27,7 @@ LAYERS = {
             "interchange", "explanation"},
 }
 ROS_HEADER = re.compile(r"^(ros|roscpp|rosbag|tf2|tf2_ros|\w+_msgs|std_srvs|diagnostic_updater)/"
-                        r"|^devo_evo/[A-Z]\w*\.h$")
+                        r"|^devo_evo/[A-Z]\w*\.h$|^rviz(_plugin)?/|^pluginlib/|^Q[A-Zt]\w*(/|$)")
 
 
 def includes_of(layer):

@@ -153,6 +153,30 @@ TEST_F(LineageBag, TakesLessThanAMegabyteForTenSecondsOfLife)
   EXPECT_LT(std::filesystem::file_size(path_), 1000000u);
 }
 
+TEST_F(LineageBag, TakesLessThanAMegabyteForARobotThatRolls)
+{
+  settings_.output += "_of_a_roller";
+  settings_.body.lifetime = 10.0;
+  settings_.evolution.profile = Profile::RELEASED_CODE;
+  settings_.evolution.population = 2;
+  settings_.generations = 0;
+  settings_.founders = folder_.path() + "/roller.jsonl";
+  std::ifstream robots(TEST_DATA_DIR "/genomes.jsonl");
+  for (std::string line; std::getline(robots, line);)
+  {
+    if (line.find("\"roller-11\"") != std::string::npos)
+    {
+      std::ofstream(settings_.founders) << line << '\n';
+    }
+  }
+  loadFounders(settings_);
+  evolve();
+  const std::vector<RecordedLife> lives = record(LineageBagOptions());
+  ASSERT_EQ(lives.size(), 1u);
+  EXPECT_GT(lives[0].individual.evaluation.turns, 20.0);
+  EXPECT_LT(std::filesystem::file_size(path_), 1000000u);
+}
+
 TEST_F(LineageBag, CanBeFilmed)
 {
   LineageBagOptions options;

@@ -1,5 +1,6 @@
 """What the tests of whole experiments share: starting nodes, waiting for what they do, comparing digests."""
 
+import collections
 import os
 import shutil
 import signal
@@ -66,8 +67,21 @@ class Process:
         self.log.close()
 
 
+# Lines that rviz says on any Debian, whatever it shows.
+RVIZ_SAYS_ANYWAY = ('no such package media_export', 'error while executing command')
+
+
+def rviz_complaints(output):
+    """Lines of errors and warnings."""
+    return [line for line in output.splitlines()
+            if ('rror' in line or 'ARN' in line or 'xception' in line)
+            and not any(known in line for known in RVIZ_SAYS_ANYWAY)]
+
+
 class VirtualDisplay:
     """An X server without a screen, on a number that is free; DISPLAY names it meanwhile."""
+
+    ROBOT = '400x300+230+250'  # where rviz shows the robot that its camera follows
 
     def __enter__(self):
         read, write = os.pipe()
@@ -95,6 +109,21 @@ class VirtualDisplay:
                               capture_output=True).stdout
         return list(zip(data[0::3], data[1::3], data[2::3]))
 
+    def colours(self, area):
+        """How many pixels of each bright, saturated colour there are in an area."""
+        return collections.Counter(pixel for pixel in self.pixels(area) if max(pixel) - min(pixel) > 100)
+
+    def wait_for_robot(self, area=ROBOT):
+        """Until rviz shows one."""
+        def seen():
+            colours = self.colours(area)
+            return len(colours) >= 3 and sum(colours.values()) > 500
+        wait_until(seen, 'the robot is seen', 120.0)
+
+    @staticmethod
+    def click(x, y):
+        subprocess.run(['xdotool', 'mousemove', str(x), str(y), 'click', '1'], check=True)
+
 
 class ExperimentTest(unittest.TestCase):
     """Every test has a namespace and folders of its own."""
@@ -119,6 +148,19 @@ class ExperimentTest(unittest.TestCase):
     def start(self, *arguments, namespace=None):
         self.processes.append(Process(list(arguments), self.folder, namespace or self.namespace))
         return self.processes[-1]
+
+    def evolve(self, **parameters):
+        """An archive of short lives in the output folder."""
+        options = dict({'lifetime': 0.5, 'population': 4, 'generations': 1, 'trials': 1}, **parameters)
+        subprocess.run([program('devo_evo'), 'evolve', '--output', self.output] +
+                       [part for name, value in options.items() for part in ('--' + name, str(value))],
+                       check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+
+    def listen(self, topic, message):
+        heard = []
+        subscriber = rospy.Subscriber(topic if topic.startswith('/') else self.namespace + '/' + topic, message, heard.append)
+        self.addCleanup(subscriber.unregister)
+        return heard
 
     def start_evolver(self, **parameters):
         name = self.namespace + '/evolver'

@@ -1,7 +1,6 @@
 #!/usr/bin/python3
 """Watching robots: the launch files, rviz on a virtual display, and what stands in the way."""
 
-import collections
 import os
 import subprocess
 import sys
@@ -12,28 +11,13 @@ import rostest
 from devo_evo.msg import PlayerState
 from visualization_msgs.msg import MarkerArray
 
-from devo_evo_testing import ExperimentTest, VirtualDisplay, program, wait_until
+from devo_evo_testing import ExperimentTest, VirtualDisplay, rviz_complaints, wait_until
 
 PACKAGE = rospkg.RosPack().get_path('devo_evo')
-
-# Lines that rviz says on any Debian, whatever it shows.
-RVIZ_SAYS_ANYWAY = ('no such package media_export', 'error while executing command')
+ROBOT = VirtualDisplay.ROBOT
 
 
 class WatchTest(ExperimentTest):
-
-    def evolve(self, **parameters):
-        """An archive of short lives in the output folder."""
-        options = dict({'lifetime': 0.5, 'population': 4, 'generations': 1, 'trials': 1}, **parameters)
-        subprocess.run([program('devo_evo'), 'evolve', '--output', self.output] +
-                       [part for name, value in options.items() for part in ('--' + name, str(value))],
-                       check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-
-    def listen(self, topic, message):
-        heard = []
-        subscriber = rospy.Subscriber(self.namespace + '/' + topic, message, heard.append)
-        self.addCleanup(subscriber.unregister)
-        return heard
 
     def watch(self, **arguments):
         return self.launch('watch.launch', **dict({'rviz': 'false'}, **arguments))
@@ -94,20 +78,36 @@ class WatchTest(ExperimentTest):
         self.evolve(lifetime=3)
         with VirtualDisplay() as display:
             watch = self.launch('watch.launch', output=self.output, individual='1/0', beside='1/1')
-
-            def colours():
-                """Of the pixels where the robot stands: how many of each bright, saturated colour."""
-                pixels = display.pixels('400x300+440+250')
-                vivid = [pixel for pixel in pixels if max(pixel) - min(pixel) > 120]
-                return collections.Counter(vivid)
-            wait_until(lambda: len(colours()) >= 3 and sum(colours().values()) > 500, 'the robot is seen', 120.0)
-            first = display.pixels('400x300+440+250')
-            wait_until(lambda: display.pixels('400x300+440+250') != first, 'it moves')
+            display.wait_for_robot()
+            first = display.pixels(ROBOT)
+            wait_until(lambda: display.pixels(ROBOT) != first, 'it moves')
             said = watch.output()  # before the display ends, and rviz with a complaint
-        complaints = [line for line in said.splitlines()
-                      if ('rror' in line or 'ARN' in line or 'xception' in line)
-                      and not any(known in line for known in RVIZ_SAYS_ANYWAY)]
-        self.assertEqual(complaints, [])
+        self.assertEqual(rviz_complaints(said), [])
+
+    def test_the_panel_in_rviz_leads_the_player(self):
+        self.evolve(lifetime=1, generations=20)
+        states = self.listen('player/state', PlayerState)
+        with VirtualDisplay() as display:
+            watch = self.launch('watch.launch', output=self.output)
+            display.wait_for_robot()
+            wait_until(lambda: len(display.colours('410x170+860+150')) > 20, 'the plot is drawn')
+            champion = states[-1].individual
+            display.click(912, 230)  # at the left end of the plot
+            wait_until(lambda: states[-1].individual != champion, 'an ancestor is shown')
+            founder = states[-1]
+            self.assertEqual(founder.record, PlayerState.AGREES)
+            self.assertEqual(founder.age, 0)
+            pause_button = iter(range(690, 770, 10))  # below the slider; how far depends on the lines above it
+
+            def paused():
+                if not states[-1].paused:
+                    display.click(908, next(pause_button))
+                    rospy.sleep(0.5)
+                return states[-1].paused
+            wait_until(paused, 'it is paused')
+            self.assertEqual(states[-1].individual, founder.individual)
+            said = watch.output()
+        self.assertEqual(rviz_complaints(said), [])
 
     def test_an_experiment_can_be_watched_and_plotted_while_it_runs(self):
         states = self.listen('player/state', PlayerState)
