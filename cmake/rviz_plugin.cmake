@@ -1,5 +1,5 @@
 # The panel for rviz, which is found by plugin_description.xml.
-find_package(Qt5 REQUIRED COMPONENTS Widgets)
+find_package(Qt5 REQUIRED COMPONENTS Test Widgets) # Test: for panel_rostest
 find_package(rviz REQUIRED)
 find_package(pluginlib REQUIRED)
 

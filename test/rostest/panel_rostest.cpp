@@ -99,6 +99,7 @@ public:
     auto& line = find<QLineEdit>(field);
     line.setFocus();
     line.selectAll();
+    QTest::keyClick(&line, Qt::Key_Backspace);
     QTest::keyClicks(&line, QString::fromStdString(text));
     QTest::keyClick(&line, Qt::Key_Return);
   }
