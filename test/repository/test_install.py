@@ -62,6 +62,7 @@ class InstallTest(unittest.TestCase):
                     "share/man/man1/devo_evo.1", "share/bash-completion/completions/devo_evo", "share/doc/devo_evo/LICENSE"]
         if WITH_ROS:
             expected += ["lib/devo_evo/evolver", "lib/devo_evo/simulator", "lib/devo_evo/devo_evo",
+                         "lib/libdevo_evo_rviz.so", "share/devo_evo/plugin_description.xml",
                          "share/devo_evo/launch/experiment.launch", "share/devo_evo/package.xml",
                          "share/devo_evo/cmake/devo_evoConfig.cmake", "include/devo_evo/RobotGenome.h"]
         self.assertEqual([path for path in expected if not (self.prefix / path).exists()], [])
