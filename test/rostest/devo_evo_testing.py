@@ -79,13 +79,15 @@ def rviz_complaints(output):
 
 
 class VirtualDisplay:
-    """An X server without a screen, on a number that is free; DISPLAY names it meanwhile."""
+    """An X server without a screen; DISPLAY names it meanwhile. Its number is that of this process: if servers looked for a
+    free one, one that ends could take the socket away from another that begins."""
 
     ROBOT = '400x300+230+250'  # where rviz shows the robot that its camera follows
 
     def __enter__(self):
         read, write = os.pipe()
-        self.server = subprocess.Popen(['Xvfb', '-displayfd', str(write), '-screen', '0', '1280x800x24', '-nolisten', 'tcp'],
+        self.server = subprocess.Popen(['Xvfb', ':%d' % (100 + os.getpid() % 50000), '-displayfd', str(write),
+                                        '-screen', '0', '1280x800x24', '-nolisten', 'tcp'],
                                        pass_fds=[write], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         os.close(write)
         with os.fdopen(read) as number:
