@@ -56,6 +56,9 @@ if(PYTHON3)
     set_tests_properties(${name} PROPERTIES TIMEOUT 600
       ENVIRONMENT "PYTHONPATH=${CMAKE_CURRENT_SOURCE_DIR}/src;DEVO_EVO_TOOL=$<TARGET_FILE:devo_evo_cli>")
   endforeach()
+  # Simulates on all cores: alone, and first, so that nothing waits for it at the end.
+  cmake_host_system_information(RESULT cores QUERY NUMBER_OF_LOGICAL_CORES)
+  set_tests_properties(analysis.quick PROPERTIES TIMEOUT 1800 COST 1000 PROCESSORS ${cores})
 endif()
 
 find_program(CLANG_FORMAT clang-format-14)

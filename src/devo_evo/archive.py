@@ -86,6 +86,17 @@ class Archive:
         """The result of a query as a frame; docs/archive.md describes the tables."""
         return _with_units(self._database.frame(query, parameters))
 
+    def designs(self, above):
+        """Each phenotype that was ever evaluated, once: control_window, morphology_window [1], fitness [body lengths],
+        as far as its fitness exceeds `above` [body lengths]. Of a whole experiment of the paper, millions."""
+        return _with_units(
+            self._database.numbers(
+                "SELECT min(control_window) AS control_window, min(morphology_window) AS morphology_window, "
+                "min(fitness) AS fitness FROM individuals WHERE valid AND fitness > ? GROUP BY phenotype_hash",
+                (float(above),),
+            )
+        )
+
     def trials(self):
         """A row per trial: last finished generation, whether it is all that was asked for, robots, invalid ones."""
         counts = self.sql(
@@ -141,8 +152,9 @@ class Archive:
         columns = ", ".join("i." + column for column in INDIVIDUAL_COLUMNS if column not in ("trial", "id"))
         return _typed(
             self.sql(
-                f"SELECT s.trial, s.rank, s.id, {columns} FROM survivors AS s "
-                "JOIN individuals AS i USING (trial, id) WHERE s.generation = ? "
+                f"SELECT s.trial, s.rank, s.id, {columns} FROM (SELECT DISTINCT trial FROM generations) AS t "
+                "CROSS JOIN survivors AS s ON s.trial = t.trial "  # by trial: without reading those of all generations
+                "JOIN individuals AS i ON i.trial = s.trial AND i.id = s.id WHERE s.generation = ? "
                 "ORDER BY s.trial, s.rank",
                 (_integer(generation),),
             )

@@ -233,8 +233,11 @@ def _curve(table, drawn, level):
         if point and not lacks[point] and np.array_equal(column, table[:, point - 1]):
             low[point], high[point] = low[point - 1], high[point - 1]
             continue
+        samples = column[drawn]
+        if lacks[point]:
+            samples = samples[~np.isnan(samples).all(axis=1)]  # draws of those only that have no value here
         low[point], high[point] = _percentiles(
-            (np.nanmedian if lacks[point] else np.median)(column[drawn], axis=1), level
+            (np.nanmedian if lacks[point] else np.median)(samples, axis=1), level
         )
     return np.nanmedian(table, axis=0), low, high
 

@@ -144,6 +144,14 @@ class NumbersTest(unittest.TestCase):
         self.assertEqual(len(merged), len(ours))
         np.testing.assert_allclose(merged["median"], merged["median_theirs"], atol=1e-6)
 
+    def test_walks_are_drawn_as_far_as_all_of_them_go(self):
+        frame = pd.DataFrame(
+            {"trial": [1, 1, 1, 2, 2], "walk": 1, "step": [0, 1, 2, 0, 1], "relative": [1.0, 0.2, 0.9, 1.0, 0.4]}
+        )
+        curve = walks.curve(frame)
+        self.assertEqual(curve["x"].tolist(), [0, 1])
+        self.assertAlmostEqual(curve["median"].iloc[1], 0.3)
+
     def test_a_walk_step_that_fails_counts_as_zero(self):
         frame = pd.DataFrame(
             {"trial": [1, 1, 2, 2], "walk": 1, "step": [0, 1, 0, 1], "relative": [1.0, np.nan, 1.0, 0.4]}

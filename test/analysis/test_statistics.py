@@ -99,6 +99,11 @@ class IntervalsTest(unittest.TestCase):
         median, low, high = statistics.clustered_median_curve(table, [0, 0, 0, 1], resamples=500)
         self.assertEqual((median[0], low[0], high[0]), (1.0, 1.0, 9.0))
 
+    def test_a_point_that_one_unit_has_is_that_units(self):
+        table = np.array([[1.0, np.nan], [2.0, np.nan], [3.0, 7.0]])
+        _, low, high = statistics.median_curve(table, resamples=200)  # most draws leave that unit out
+        self.assertEqual((low[1], high[1]), (7.0, 7.0))
+
     def test_a_curve_uses_the_units_it_has(self):
         table = np.array([[1.0, 2.0], [3.0, math.nan], [5.0, 4.0]])
         median, _, _ = statistics.median_curve(table, resamples=200)

@@ -15,12 +15,12 @@ NAMES = {"evo": "Evo", "evo_devo": "Evo-Devo", "fast": "fast Evo-Devo", "slow": 
 
 
 def retained(study, space, series, step=None):
-    """Relative fitness [1] of each champion after a step (default: the last), median over its walks, and the step. A
-    step that failed is 0."""
+    """Relative fitness [1] of each champion after a step (default: the last of all walks), median over its walks, and
+    the step. A step that failed is 0."""
     rows = figure.select(figure.usable(study), space, series)
     if rows.empty:
         return rows["relative"], 0
-    last = int(rows["step"].max())
+    last = int(rows.groupby(["trial", "walk"])["step"].max().min())
     step = last if step is None else min(step, last)
     at_step = rows[rows["step"] == step]
     return at_step.assign(relative=at_step["relative"].fillna(0.0)).groupby("trial")["relative"].median(), step

@@ -40,15 +40,6 @@ def hexagons(x, y, values, grid_x=GRID_X, extent=EXTENT):
     return cells[["x", "y", "median", "count"]]
 
 
-def designs(archive):
-    """Windows and fitness of every design evaluated, each phenotype once, as far as fitness exceeds -1 body lengths."""
-    return archive.sql(
-        "SELECT min(control_window) AS control_window, min(morphology_window) AS morphology_window, "
-        "min(fitness) AS fitness FROM individuals WHERE valid AND fitness > ? GROUP BY phenotype_hash",
-        (LOWEST,),
-    )
-
-
 def numbers(study):
     """Panel A: ancestors of three run champions. Panel B: cells x (W_Phi), y (W_L) [1], median fitness, designs."""
     table = lineages.numbers(study)
@@ -56,7 +47,7 @@ def numbers(study):
     archive = study.main("evo_devo")
     cells = pd.DataFrame(columns=["x", "y", "median", "count"])
     if archive is not None:
-        every = designs(archive)
+        every = archive.designs(LOWEST)
         if len(every):
             cells = hexagons(RAW * every["control_window"], RAW * every["morphology_window"], every["fitness"])
             cells[["x", "y"]] /= RAW

@@ -128,6 +128,7 @@ def draw(study):
         counts.tick_params(colors="0.6", labelsize=8)
         counts.yaxis.get_major_locator().set_params(integer=True, nbins=5)
         counts.spines["right"].set_visible(True)
+    curves.xaxis.get_major_locator().set_params(integer=True)
     curves.set_xlabel("Descendant, from the first ancestor that rolls")
     for place, (series, label) in enumerate((("first", "First to roll"), ("champion", "Run champion"))):
         row = table[(table["panel"] == "B") & (table["measure"] == "fell_over") & (table["series"] == series)]

@@ -120,7 +120,7 @@ def _draw_curves(axes, rows):
     axes.set_xlim(-0.005 * last, max(last, 1))
     _fitness_axis(axes, rows["high"].max() if len(rows) else 0.0)
     if len(rows):
-        axes.legend(loc="upper left", fontsize=10 if rows["series"].nunique() > 2 else 12)
+        axes.legend(loc="best", fontsize=10 if rows["series"].nunique() > 2 else 12)
     else:
         style.no_data(axes, "no finished generation")
 

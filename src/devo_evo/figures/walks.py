@@ -40,11 +40,14 @@ def select(walks, space, series):
 
 
 def curve(walks):
-    """Median relative fitness of each step over all walks, with its band over champions; a failed step counts as 0.
+    """Median relative fitness of each step over all walks, with its band over champions, as far as all walks go; a step
+    that failed counts as 0.
 
     Returns a frame: x (step), median, low, high, champions, walks.
     """
-    table = walks.pivot(index=["trial", "walk"], columns="step", values="relative").astype(float).fillna(0.0)
+    relative = walks["relative"].astype(float).fillna(0.0)
+    table = walks.assign(relative=relative).pivot(index=["trial", "walk"], columns="step", values="relative")
+    table = table.dropna(axis="columns")
     steps = table.columns.to_numpy()
     shown = steps[np.unique(np.round(np.geomspace(1, len(steps), POINTS)).astype(int) - 1)]
     trials = table.index.get_level_values("trial").to_numpy()
