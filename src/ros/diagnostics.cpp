@@ -51,6 +51,22 @@ DiagnosticStatus statusOf(const ExperimentStatus& experiment, int64_t usable)
   return status;
 }
 
+DiagnosticStatus statusOf(const StudyStatus& study, const std::optional<std::vector<WorkerStatus>>& workers)
+{
+  const int64_t usable = workers ? usableWorkers(*workers) : 0;
+  const bool waits = workers && usable == 0;
+  DiagnosticStatus status;
+  status.level = waits ? DiagnosticStatus::WARN : DiagnosticStatus::OK;
+  status.message = waits ? "waiting for a simulator" : study.part.empty() ? "beginning" : "running " + study.part;
+  add(status, "output", study.output);
+  add(status, "scale", study.scale);
+  add(status, "part", study.part);
+  add(status, "number of the part", toText(study.number) + " of " + toText(study.parts));
+  add(status, "progress", study.progress);
+  add(status, "usable simulators", toText(usable));
+  return status;
+}
+
 uint8_t levelOf(WorkerState state)
 {
   switch (state)
@@ -82,6 +98,21 @@ DiagnosticStatus statusOf(const WorkerStatus& worker)
   }
   return status;
 }
+
+diagnostic_msgs::DiagnosticArray diagnosticsOf(const std::string& node, const std::string& subject,
+                                               DiagnosticStatus status, const std::vector<WorkerStatus>& workers)
+{
+  diagnostic_msgs::DiagnosticArray diagnostics;
+  diagnostics.header.stamp = wallStamp();
+  diagnostics.status.push_back(std::move(status));
+  diagnostics.status.back().name = node + ": " + subject;
+  for (const WorkerStatus& worker : workers)
+  {
+    diagnostics.status.push_back(statusOf(worker));
+    diagnostics.status.back().name = node + ": simulator " + worker.name;
+  }
+  return diagnostics;
+}
 }  // namespace
 
 int64_t usableWorkers(const std::vector<WorkerStatus>& workers)
@@ -103,15 +134,12 @@ void countSimulators(const std::vector<WorkerStatus>& workers, GenerationSummary
 diagnostic_msgs::DiagnosticArray diagnosticsOf(const std::string& node, const ExperimentStatus& experiment,
                                                const std::vector<WorkerStatus>& workers)
 {
-  diagnostic_msgs::DiagnosticArray diagnostics;
-  diagnostics.header.stamp = wallStamp();
-  diagnostics.status.push_back(statusOf(experiment, usableWorkers(workers)));
-  diagnostics.status.back().name = node + ": experiment";
-  for (const WorkerStatus& worker : workers)
-  {
-    diagnostics.status.push_back(statusOf(worker));
-    diagnostics.status.back().name = node + ": simulator " + worker.name;
-  }
-  return diagnostics;
+  return diagnosticsOf(node, "experiment", statusOf(experiment, usableWorkers(workers)), workers);
+}
+
+diagnostic_msgs::DiagnosticArray diagnosticsOf(const std::string& node, const StudyStatus& study,
+                                               const std::optional<std::vector<WorkerStatus>>& workers)
+{
+  return diagnosticsOf(node, "study", statusOf(study, workers), workers.value_or(std::vector<WorkerStatus>()));
 }
 }  // namespace devo_evo

@@ -6,6 +6,7 @@
 #include <diagnostic_msgs/DiagnosticArray.h>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,17 @@ struct ExperimentStatus
   bool paused = false;
 };
 
+/// How a study is doing, for people.
+struct StudyStatus
+{
+  std::string output;
+  std::string scale;
+  std::string part;    ///< that runs; empty before the first
+  int64_t number = 0;  ///< of the part, from 1
+  int64_t parts = 0;
+  std::string progress;  ///< within the part; empty while nothing is known
+};
+
 /// How many of the workers take work.
 int64_t usableWorkers(const std::vector<WorkerStatus>& workers);
 
@@ -36,4 +48,8 @@ void countSimulators(const std::vector<WorkerStatus>& workers, GenerationSummary
 /// @param node name of the node that publishes it.
 diagnostic_msgs::DiagnosticArray diagnosticsOf(const std::string& node, const ExperimentStatus& experiment,
                                                const std::vector<WorkerStatus>& workers);
+
+/// The same of a study. @param workers none of a study that needs no simulator just now.
+diagnostic_msgs::DiagnosticArray diagnosticsOf(const std::string& node, const StudyStatus& study,
+                                               const std::optional<std::vector<WorkerStatus>>& workers);
 }  // namespace devo_evo

@@ -7,6 +7,7 @@
 #include "ros/simulator_processes.h"
 
 #include <ros/init.h>
+#include <ros/this_node.h>
 
 #include <algorithm>
 
@@ -52,7 +53,10 @@ StudyNode::StudyNode(const Parameters& parameters)
   , callbacks_(2)
   , idle_warning_(node_.resolveName("simulators"))
   , master_watch_({}, signs_of_life_, node_.resolveName("simulators"))
+  , diagnostics_(node_.advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", 10))
 {
+  status_.output = parameters_.experiment.output;
+  status_.scale = toString(parameters_.study.scale);
 }
 
 RunOutcome StudyNode::run()
@@ -82,13 +86,21 @@ std::unique_ptr<Farm> StudyNode::makeFarm(const SoftBodySettings& body, uint64_t
   const auto closed = [this](bool clean)
   {
     clean_ = clean_ && clean;
-    somebody_works_ = nullptr;
+    workers_ = nullptr;
   };
   auto farm =
       std::make_unique<ClosingFarm>(node_, farmSettings(parameters_, body, fingerprint), signs_of_life_, closed);
-  somebody_works_ = [&farm = *farm] { return usableWorkers(farm.status()) > 0; };
+  workers_ = [&farm = *farm] { return farm.status(); };
   idle_warning_.update(true);
   return farm;
+}
+
+void StudyNode::partBegun(StudyPart part, size_t number, size_t parts)
+{
+  status_.part = toString(part);
+  status_.number = static_cast<int64_t>(number);
+  status_.parts = static_cast<int64_t>(parts);
+  status_.progress.clear();
 }
 
 void StudyNode::say(const std::string& line)
@@ -99,6 +111,7 @@ void StudyNode::say(const std::string& line)
 /// A line at most every second, and ever fewer the longer it takes.
 void StudyNode::showProgress(const std::string& line)
 {
+  status_.progress = line;
   const Clock::time_point now = Clock::now();
   if (now >= next_progress_)
   {
@@ -113,7 +126,9 @@ bool StudyNode::stopRequested()
   if (now >= next_look_)
   {
     next_look_ = now + LOOK_PERIOD;
-    idle_warning_.update(!somebody_works_ || somebody_works_());
+    const auto workers = workers_ ? std::optional(workers_()) : std::nullopt;
+    idle_warning_.update(!workers || usableWorkers(*workers) > 0);
+    diagnostics_.publish(diagnosticsOf(ros::this_node::getName(), status_, workers));
   }
   return ScopedInterruption::happened() || !ros::ok();
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "devo_evo/study/study.h"
+#include "ros/diagnostics.h"
 #include "ros/idle_warning.h"
 #include "ros/master_watch.h"
 
@@ -12,7 +13,8 @@
 
 namespace devo_evo
 {
-/// Runs a study (docs/study.md) on simulators that announce themselves on topic `simulators`.
+/// Runs a study (docs/study.md) on simulators that announce themselves on topic `simulators`, and publishes
+/// `/diagnostics`.
 class StudyNode : private StudyObserver
 {
 public:
@@ -30,6 +32,7 @@ public:
 private:
   using Clock = std::chrono::steady_clock;
 
+  void partBegun(StudyPart part, size_t number, size_t parts) override;
   void say(const std::string& line) override;
   void showProgress(const std::string& line) override;
   bool stopRequested() override;
@@ -42,8 +45,10 @@ private:
   IdleWarning idle_warning_;
   const std::shared_ptr<SignsOfLife> signs_of_life_ = std::make_shared<SignsOfLife>();
   MasterWatch master_watch_;
-  std::function<bool()> somebody_works_;  // asks the present farm; empty between two
-  bool clean_ = true;                     // whether every farm could be closed
+  ros::Publisher diagnostics_;
+  StudyStatus status_;
+  std::function<std::vector<WorkerStatus>()> workers_;  // of the present farm; empty between two
+  bool clean_ = true;                                   // whether every farm could be closed
   Clock::time_point started_ = Clock::now();
   Clock::time_point next_progress_ = started_;
   Clock::time_point next_look_ = started_;

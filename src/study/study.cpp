@@ -71,8 +71,11 @@ public:
 
   RunOutcome run()
   {
-    for (const StudyPart part : partsOf(parameters_.study))
+    const std::vector<StudyPart> parts = partsOf(parameters_.study);
+    size_t number = 0;
+    for (const StudyPart part : parts)
     {
+      observer_.partBegun(part, ++number, parts.size());
       if (!(armsOf(part, parameters_).empty() ? analyse(part) : evolve(part)))
       {
         return RunOutcome::STOPPED;

@@ -70,6 +70,24 @@ TEST(Diagnostics, AFinishedExperimentNeedsNoSimulator)
   EXPECT_EQ(experimentStatus(finished, {}).message, "finished");
 }
 
+TEST(Diagnostics, TellHowAStudyIsDoing)
+{
+  const StudyStatus study = { "/data/study", "quick", "walks", 3, 9, "walks: 7/90" };
+  const auto running = diagnosticsOf("/study", study, std::vector<WorkerStatus>{ BUSY }).status;
+  ASSERT_EQ(running.size(), 2u);
+  EXPECT_EQ(running[0].name, "/study: study");
+  EXPECT_EQ(running[0].level, DiagnosticStatus::OK);
+  EXPECT_EQ(running[0].message, "running walks");
+  EXPECT_EQ(valueOf(running[0], "number of the part"), "3 of 9");
+  EXPECT_EQ(valueOf(running[0], "progress"), "walks: 7/90");
+  EXPECT_EQ(valueOf(running[0], "usable simulators"), "1");
+  EXPECT_EQ(running[1].name, "/study: simulator /simulator_1");
+  const auto waiting = diagnosticsOf("/study", study, std::vector<WorkerStatus>()).status.at(0);
+  EXPECT_EQ(waiting.level, DiagnosticStatus::WARN);
+  EXPECT_EQ(waiting.message, "waiting for a simulator");
+  EXPECT_EQ(diagnosticsOf("/study", study, std::nullopt).status.at(0).level, DiagnosticStatus::OK);
+}
+
 TEST(Diagnostics, TellOfEverySimulator)
 {
   const auto status =

@@ -52,13 +52,6 @@ def nonsense(request):
 
 class FaultsTest(ExperimentTest):
 
-    def listen(self, topic, message):
-        """A list that fills with what is published."""
-        heard = []
-        subscriber = rospy.Subscriber(topic, message, heard.append)
-        self.addCleanup(subscriber.unregister)
-        return heard
-
     def fake_simulator(self, name, fingerprint, answer):
         fake = FakeSimulator(self.namespace + '/' + name, fingerprint, answer)
         self.addCleanup(fake.stop)

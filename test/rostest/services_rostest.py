@@ -20,12 +20,6 @@ CHAMPION = GetIndividualRequest.CHAMPION
 
 class ServicesTest(ExperimentTest):
 
-    def listen(self, topic, message):
-        heard = []
-        subscriber = rospy.Subscriber(topic, message, heard.append)
-        self.addCleanup(subscriber.unregister)
-        return heard
-
     def call(self, service, kind, *arguments):
         name = self.namespace + '/' + service
         rospy.wait_for_service(name, 30.0)

@@ -9,6 +9,7 @@ import sys
 
 import rospy
 import rostest
+from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
 
 from devo_evo_testing import ExperimentTest, program, wait_until
 
@@ -51,10 +52,15 @@ class StudyTest(ExperimentTest):
         interrupted.signal(signal.SIGINT)
         interrupted.wait()
         self.assertTrue(interrupted.said('stopped\nStudy: ' + self.output), interrupted.output())
+        diagnostics = self.listen('/diagnostics', DiagnosticArray)
         again = self.launch_study(scale='quick')
         self.wait_for_success(again)
         self.assertTrue(again.said('finished\nStudy: ' + self.output), again.output())
         self.assertTrue(again.said('evaluations/s, measured on this machine with 2 workers'))
+        told = [status for array in diagnostics for status in array.status if status.name.endswith('/study: study')]
+        self.assertIn({'key': 'output', 'value': self.output},
+                      [{'key': entry.key, 'value': entry.value} for status in told for entry in status.values])
+        self.assertTrue(all(status.message.startswith(('beginning', 'running ', 'waiting ')) for status in told))
         self.assertEqual(content(self.output), content(self.study_without_ros()))
 
     def test_wrong_arguments_stop_the_start_with_a_message(self):
@@ -67,8 +73,11 @@ class StudyTest(ExperimentTest):
             self.assertTrue(launched.said(message), launched.output())
 
     def test_waits_for_simulators_and_says_so(self):
+        diagnostics = self.listen('/diagnostics', DiagnosticArray)
         waiting = self.launch_study(simulators='none')
         wait_until(lambda: waiting.said('waiting: no simulator has announced itself'), 'it complains')
+        wait_until(lambda: any(status.message == 'waiting for a simulator' and status.level == DiagnosticStatus.WARN
+                               for array in diagnostics for status in array.status), 'diagnostics warn')
         waiting.signal(signal.SIGINT)
         waiting.wait()
         self.assertTrue(waiting.said('stopped\nStudy:'), waiting.output())

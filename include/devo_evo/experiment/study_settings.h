@@ -21,6 +21,7 @@ Scale parseScale(const std::string& name);  ///< @throw InvalidInput
 enum class StudyPart
 {
   MAIN,
+  PARTIAL,
   REMOVED,
   WALKS,
   LINEAGES,
@@ -28,8 +29,7 @@ enum class StudyPart
   ROBUSTNESS,
   IMPACT,
   BASELINES,
-  SWEEP,
-  PARTIAL
+  SWEEP
 };
 
 /// All parts, in the order in which they run.

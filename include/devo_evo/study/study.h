@@ -18,6 +18,9 @@ class StudyObserver
 public:
   virtual ~StudyObserver() = default;
 
+  /// The next part begins. @param number counts up from 1. @param parts how many there are to run.
+  virtual void partBegun(StudyPart /*part*/, size_t /*number*/, size_t /*parts*/) {}
+
   /// A line worth keeping.
   virtual void say(const std::string& line) = 0;
 
