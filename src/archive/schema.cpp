@@ -105,6 +105,16 @@ CREATE TABLE IF NOT EXISTS stops (  -- when an evolver closed this archive; none
   generations INTEGER NOT NULL      -- finished in all trials by then
 );
 
+CREATE TABLE IF NOT EXISTS evaluators (  -- simulators' machines, by start; none if the evolver simulated by itself
+  start           INTEGER NOT NULL,  -- starts.number
+  host            TEXT NOT NULL,
+  processor       TEXT NOT NULL,     -- '' if not known
+  instruction_set TEXT NOT NULL,
+  version         TEXT NOT NULL,     -- of devo_evo
+  evaluations     INTEGER NOT NULL,  -- of robots, that were used
+  PRIMARY KEY (start, host, processor, instruction_set, version)
+) WITHOUT ROWID;
+
 CREATE TABLE IF NOT EXISTS founders (  -- genomes that every trial started with; arrays as in genomes
   id                 INTEGER PRIMARY KEY,  -- in each trial; founders beyond are random
   size_gene_initial  BLOB NOT NULL,

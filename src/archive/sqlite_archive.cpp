@@ -154,6 +154,7 @@ void SqliteArchive::noteStop() noexcept
   try
   {
     connection_.beginWork();
+    recordEvaluators(connection_, evaluators_);
     recordStop(connection_);
   }
   catch (const std::exception&)
@@ -168,6 +169,7 @@ void SqliteArchive::write(const std::vector<GenerationRecord>& records)
   {
     insertGeneration(connection_, record, settings_.evolution.phaseLimit());
   }
+  recordEvaluators(connection_, evaluators_);
   transaction.commit();
 }
 

@@ -5,6 +5,8 @@
 #include "devo_evo/soft_body/lattice.h"
 
 #include <memory>
+#include <utility>
+#include <vector>
 
 namespace devo_evo
 {
@@ -18,6 +20,7 @@ public:
   ~SqliteArchive() override;
 
   void commitGenerations(const std::vector<GenerationRecord>& records) override;
+  void noteEvaluators(std::vector<Evaluator> evaluators) override { evaluators_ = std::move(evaluators); }
   std::optional<Evaluation> findEvaluation(const Hash128& phenotype_hash) const override;
   std::map<int64_t, TrialState> trialStates() const override;
   ArchivedIndividual readIndividual(int64_t trial, int64_t id) const override;
@@ -67,5 +70,6 @@ private:
   mutable Connection connection_;
   ExperimentSettings settings_;
   Lattice lattice_;
+  std::vector<Evaluator> evaluators_;
 };
 }  // namespace devo_evo

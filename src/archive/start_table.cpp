@@ -6,6 +6,32 @@
 
 namespace devo_evo
 {
+namespace
+{
+void readEvaluators(Connection& connection, std::vector<Start>& starts)
+{
+  if (!hasTable(connection, "evaluators"))
+  {
+    return;
+  }
+  for (Start& start : starts)
+  {
+    Query query = connection.query(
+        "SELECT host, processor, instruction_set, version, evaluations FROM evaluators WHERE start = ?", start.number);
+    while (query.next())
+    {
+      Evaluator evaluator;
+      evaluator.host = query.text();
+      evaluator.processor = query.text();
+      evaluator.instruction_set = query.text();
+      evaluator.version = query.text();
+      evaluator.evaluations = query.natural();
+      start.evaluators.push_back(evaluator);
+    }
+  }
+}
+}  // namespace
+
 void recordStart(Connection& connection, const Provenance& provenance)
 {
   std::optional<Blob> fingerprint;
@@ -43,6 +69,19 @@ void recordStop(Connection& connection)
       .run();
 }
 
+void recordEvaluators(Connection& connection, const std::vector<Evaluator>& evaluators)
+{
+  for (const Evaluator& evaluator : evaluators)
+  {
+    connection
+        .query(
+            "INSERT OR REPLACE INTO evaluators (start, host, processor, instruction_set, version, evaluations) "
+            "VALUES ((SELECT max(number) FROM starts), ?, ?, ?, ?, ?)",
+            evaluator.host, evaluator.processor, evaluator.instruction_set, evaluator.version, evaluator.evaluations)
+        .run();
+  }
+}
+
 std::vector<Start> readStarts(Connection& connection)
 {
   const std::string ros = hasColumn(connection, "starts", "ros") ? "ros" : "''";
@@ -71,6 +110,7 @@ std::vector<Start> readStarts(Connection& connection)
     start.generations_at_stop = query.optionalNatural().value_or(0);
     starts.push_back(start);
   }
+  readEvaluators(connection, starts);
   return starts;
 }
 }  // namespace devo_evo

@@ -13,5 +13,8 @@ void recordStart(Connection& connection, const Provenance& provenance);
 /// Notes that the evolver that opened it last closes it.
 void recordStop(Connection& connection);
 
+/// Notes who has evaluated robots since the archive was opened last.
+void recordEvaluators(Connection& connection, const std::vector<Evaluator>& evaluators);
+
 std::vector<Start> readStarts(Connection& connection);
 }  // namespace devo_evo

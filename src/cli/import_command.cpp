@@ -10,6 +10,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <memory>
 #include <optional>
 #include <sstream>
@@ -35,8 +36,30 @@ struct Imported
   std::string settings_from;                 ///< the file that told of them first
 };
 
+std::string readWhole(std::istream& stream, const std::string& name)
+{
+  constexpr size_t largest = size_t{ 256 } << 20;
+  std::string content;
+  char part[65536];
+  while (stream.read(part, sizeof part), stream.gcount() > 0)
+  {
+    content.append(part, static_cast<size_t>(stream.gcount()));
+    if (content.size() > largest)
+    {
+      throw InvalidInput(name + ": it has more than " + toText(static_cast<int64_t>(largest)) +
+                         " bytes; give the robots in several files");
+    }
+  }
+  return content;
+}
+
+/// @param path of a file; "-" for standard input.
 std::string readWhole(const std::string& path)
 {
+  if (path == "-")
+  {
+    return readWhole(std::cin, path);
+  }
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored))
   {
@@ -47,19 +70,7 @@ std::string readWhole(const std::string& path)
   {
     throw InvalidInput(path + ": it cannot be read: " + std::strerror(errno));
   }
-  constexpr size_t largest = size_t{ 256 } << 20;
-  std::string content;
-  char part[65536];
-  while (file.read(part, sizeof part), file.gcount() > 0)
-  {
-    content.append(part, static_cast<size_t>(file.gcount()));
-    if (content.size() > largest)
-    {
-      throw InvalidInput(path + ": it has more than " + toText(static_cast<int64_t>(largest)) +
-                         " bytes; give the robots in several files");
-    }
-  }
-  return content;
+  return readWhole(file, path);
 }
 
 Parameters parametersOf(const SoftBodySettings& body)
@@ -189,7 +200,8 @@ void addImportCommand(CLI::App& tool, Command& command)
   CLI::App* app = tool.add_subcommand(
       "import", "Turn VXA files, or genomes as JSON lines, into JSON lines that evaluate, player and evolver take.");
   const auto arguments = std::make_shared<ImportArguments>();
-  app->add_option("FILE", arguments->files, "VXA files, or files of JSON lines; which of them is seen from the content")
+  app->add_option("FILE", arguments->files,
+                  "VXA files, or files of JSON lines, which is seen from the content; -: standard input")
       ->required();
   app->add_option("--out", arguments->out, "where the robots go instead of standard output")->type_name("FILE");
   app->add_option("--parameters", arguments->parameters,

@@ -49,6 +49,20 @@ Json parametersOf(const ExperimentSettings& settings)
   return json;
 }
 
+Json evaluatorsOf(const Start& start)
+{
+  Json evaluators = Json::array();
+  for (const Evaluator& evaluator : start.evaluators)
+  {
+    evaluators.push_back({ { "host", evaluator.host },
+                           { "processor", evaluator.processor },
+                           { "instruction_set", evaluator.instruction_set },
+                           { "version", evaluator.version },
+                           { "evaluations", evaluator.evaluations } });
+  }
+  return evaluators;
+}
+
 Json startsOf(const Archive& archive)
 {
   Json starts = Json::array();
@@ -67,7 +81,8 @@ Json startsOf(const Archive& archive)
                        { "instruction_set", provenance.instruction_set },
                        { "host", provenance.host },
                        { "ros", provenance.ros },
-                       { "engine_fingerprint", fingerprint == 0 ? Json() : Json(hashToString(fingerprint)) } });
+                       { "engine_fingerprint", fingerprint == 0 ? Json() : Json(hashToString(fingerprint)) },
+                       { "evaluators", evaluatorsOf(start) } });
   }
   return starts;
 }
@@ -78,7 +93,12 @@ Json processorsOf(const Json& starts)
   for (const Json& start : starts)
   {
     processors.insert(start.at("processor").get<std::string>());
+    for (const Json& evaluator : start.at("evaluators"))
+    {
+      processors.insert(evaluator.at("processor").get<std::string>());
+    }
   }
+  processors.erase("");
   return processors;
 }
 
@@ -124,6 +144,14 @@ std::string textOf(const Json& value, int decimals)
   return value.is_number() ? fixedText(value.get<double>(), decimals) : "-";
 }
 
+std::string evaluatorAsText(const Json& evaluator)
+{
+  const auto text = [&evaluator](const char* field) { return evaluator.at(field).get<std::string>(); };
+  const std::string processor = text("processor").empty() ? "unknown processor" : text("processor");
+  return "        simulators on host " + text("host") + ": " + toText(evaluator.at("evaluations").get<int64_t>()) +
+         " robots; " + processor + ", " + text("instruction_set") + ", devo_evo " + text("version") + "\n";
+}
+
 std::string startAsText(const Json& start)
 {
   const auto text = [&start](const char* field) { return start.at(field).get<std::string>(); };
@@ -132,9 +160,14 @@ std::string startAsText(const Json& start)
                                                                toText(start.at("generations_at_stop").get<int64_t>()) +
                                                                " generations were finished";
   const std::string ros = text("ros").empty() ? "no ROS" : text("ros");
-  return "    " + toText(start.at("number").get<int64_t>()) + ": " + text("start_utc") + end + "\n" +
-         "        devo_evo " + text("version") + ", " + ros + "; " + text("compiler") + "\n        " +
-         text("processor") + ", " + text("instruction_set") + ", host " + text("host") + "\n";
+  std::string lines = "    " + toText(start.at("number").get<int64_t>()) + ": " + text("start_utc") + end + "\n" +
+                      "        devo_evo " + text("version") + ", " + ros + "; " + text("compiler") + "\n        " +
+                      text("processor") + ", " + text("instruction_set") + ", host " + text("host") + "\n";
+  for (const Json& evaluator : start.at("evaluators"))
+  {
+    lines += evaluatorAsText(evaluator);
+  }
+  return lines;
 }
 
 std::string trialAsText(const Json& trial, const std::string& generations)

@@ -119,8 +119,9 @@ std::string asJson(const VerifyArguments& arguments, const Verification& found, 
 
 std::string asText(const VerifyArguments& arguments, const Verification& found, double seconds)
 {
-  const std::string generations = toText(found.generations) + " generations of " + toText(found.trials) +
-                                  (found.trials == 1 ? " trial" : " trials");
+  const std::string generations = toText(found.generations) +
+                                  (found.generations == 1 ? " generation of " : " generations of ") +
+                                  toText(found.trials) + (found.trials == 1 ? " trial" : " trials");
   std::string text = "Archive:   " + archivePath(arguments.output) + "\n" + "Births:    " + toText(found.individuals) +
                      " individuals in " + generations + ": parents, ages, and genomes by repeating every mutation; " +
                      toText(found.genomes) + " stored genomes\n" + "Selection: survivors, champions and medians of " +

@@ -2,6 +2,7 @@
 
 #include "devo_evo/soft_body/simulation.h"
 
+#include <algorithm>
 #include <fstream>
 
 #include <sys/utsname.h>
@@ -10,8 +11,8 @@ namespace devo_evo
 {
 namespace
 {
-/// The processor's name as Linux tells it; empty where it does not, as on some ARM systems.
-std::string processorName()
+/// Empty where Linux does not tell it, as on some ARM systems.
+std::string modelName()
 {
   std::ifstream info("/proc/cpuinfo");
   for (std::string line; std::getline(info, line);)
@@ -25,6 +26,21 @@ std::string processorName()
   return "";
 }
 }  // namespace
+
+std::string processorName()
+{
+  std::string name = modelName();
+  utsname system{};
+  if (name.empty() && uname(&system) == 0)
+  {
+    name = system.machine;
+  }
+  constexpr size_t longest = 255;
+  name = name.substr(0, longest);
+  std::replace_if(
+      name.begin(), name.end(), [](unsigned char c) { return c < ' ' || c >= 127; }, '?');
+  return name;
+}
 
 std::string versionText()
 {
@@ -45,10 +61,6 @@ Provenance localProvenance(const std::string& instruction_set)
   if (uname(&system) == 0)
   {
     provenance.host = system.nodename;
-    if (provenance.processor.empty())
-    {
-      provenance.processor = system.machine;
-    }
   }
   return provenance;
 }

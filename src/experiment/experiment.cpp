@@ -1,6 +1,7 @@
 #include "devo_evo/experiment/experiment.h"
 
 #include "devo_evo/evolution/trial.h"
+#include "experiment/evaluator_tally.h"
 #include "experiment/rate_meter.h"
 
 #include <algorithm>
@@ -177,6 +178,7 @@ private:
       progress.trial.setEvaluation(id, result.evaluation);
     }
     progress.awaited.erase(twins);
+    evaluators_.count(result.worker);
     ++progress.simulated;
     ++total_evaluations_;
     evaluation_rate_.add(Clock::now(), 1);
@@ -204,6 +206,7 @@ private:
     {
       return;
     }
+    experiment_.archive_.noteEvaluators(evaluators_.evaluators(experiment_.farm_.status()));
     experiment_.archive_.commitGenerations(finished_);
     for (size_t i = 0; i < finished_.size(); ++i)
     {
@@ -231,6 +234,7 @@ private:
   std::vector<Report> reports_;             ///< of these
   int64_t generations_left_ = 0;            ///< to commit, in all trials
   int64_t total_evaluations_ = 0;
+  EvaluatorTally evaluators_;
   RateMeter evaluation_rate_;
   RateMeter generation_rate_;
 };

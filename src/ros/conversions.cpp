@@ -399,6 +399,7 @@ void validate(const SimulatorAnnouncement& announcement)
   requireLabel("host", announcement.host);
   requireLabel("version", announcement.version);
   requireLabel("instruction_set", announcement.instruction_set);
+  requireLabel("processor", announcement.processor);
   requireWithin("lanes", announcement.lanes, 1, EvaluateGenomes::Request::MAX_GENOMES);
   requireWithin("period", announcement.period, 0.01, 60.0);
   require(announcement.evaluations >= 0, "evaluations must not be negative");

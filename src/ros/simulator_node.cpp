@@ -144,6 +144,7 @@ void SimulatorNode::announce()
   announcement.period = announcement_period_s_;
   announcement.busy = busy_;
   announcement.evaluations = evaluations_;
+  announcement.processor = processorName();
   announcements_.publish(announcement);
 }
 }  // namespace devo_evo

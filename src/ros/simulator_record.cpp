@@ -6,7 +6,16 @@ namespace devo_evo
 {
 WorkerStatus SimulatorRecord::status() const
 {
-  return { announcement.name, announcement.host, state, reason, evaluations, checked, losses };
+  return { announcement.name,
+           announcement.host,
+           state,
+           reason,
+           evaluations,
+           checked,
+           losses,
+           announcement.processor,
+           announcement.instruction_set,
+           announcement.version };
 }
 
 bool sameProcess(const SimulatorAnnouncement& a, const SimulatorAnnouncement& b)

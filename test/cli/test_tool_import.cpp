@@ -153,6 +153,13 @@ TEST_F(ImportCommand, RefusesToWriteOverAnyOfItsInputs)
   }
 }
 
+TEST_F(ImportCommand, ReadsStandardInput)
+{
+  const ToolResult result = runTool({ "import", "-", "--grid", "2x2x1", "--lifetime", "0.1" }, robot_);
+  EXPECT_EQ(result.status, DONE) << result.err;
+  EXPECT_EQ(result.out, runTool({ "export", output_, "--individual", "1/5" }).out);
+}
+
 TEST_F(ImportCommand, TakesSeveralFilesOfTheSameSettingsOnly)
 {
   const std::string json = folder_.file("robot.jsonl"), other = folder_.file("other.vxa");

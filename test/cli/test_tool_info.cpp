@@ -75,6 +75,21 @@ TEST_F(InfoCommand, TellsOfEveryStartAndOfThoseThatWereKilled)
   EXPECT_TRUE(contains(runTool({ "info", output_ }).out, "(no stop noted: it still runs, or was killed)"));
 }
 
+TEST_F(InfoCommand, TellsWhoseSimulatorsEvaluated)
+{
+  EXPECT_EQ(info().at("starts").at(0).at("evaluators"), Json::array());  // the tool itself
+  edit(output_, "INSERT INTO evaluators VALUES (1, 'library', 'Difference Engine', 'scalar', '1.2.3', 17)");
+  const Json told = info();
+  EXPECT_EQ(told.at("starts").at(0).at("evaluators"), Json::array({ { { "host", "library" },
+                                                                      { "processor", "Difference Engine" },
+                                                                      { "instruction_set", "scalar" },
+                                                                      { "version", "1.2.3" },
+                                                                      { "evaluations", 17 } } }));
+  EXPECT_EQ(told.at("processors").size(), 2u);
+  EXPECT_TRUE(contains(runTool({ "info", output_ }).out,
+                       "\n        simulators on host library: 17 robots; Difference Engine, scalar, devo_evo 1.2.3\n"));
+}
+
 TEST_F(InfoCommand, FailsWhereThereIsNoExperiment)
 {
   const ToolResult result = runTool({ "info", folder_.file("nothing") });

@@ -7,6 +7,8 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
 namespace devo_evo
 {
@@ -153,6 +155,47 @@ TEST(Vxa, roundNumbersOfOtherProgramsStayRound)
   EXPECT_EQ(robot.settings.actuation_frequency, 3.0);
   EXPECT_EQ(robot.id, "robot.vxa");
   EXPECT_TRUE(robot.genome.mutation_rate.empty());
+}
+
+/// The order of tags and the forms of numbers are those of the Python program that the paper's authors released.
+TEST(Vxa, aFileInTheFormOfTheReleasedExperimentsIsRead)
+{
+  std::string text = toVxa(someRobot());
+  text.erase(text.find("<DevoEvo>"), text.find("</DevoEvo>") + 10 - text.find("<DevoEvo>"));
+  for (const auto& [ours, theirs] : std::vector<std::pair<std::string, std::string>>{
+           { "<X_Voxels>4<", "<X_Voxels>4.0<" },
+           { "<Y_Voxels>4<", "<Y_Voxels>4.0<" },
+           { "<Z_Voxels>3<", "<Z_Voxels>3.0<" },
+           { "<FloorSlope>0<", "<FloorSlope>0.0<" },
+           { "<MinElasticMod>5e+06<", "<MinElasticMod>5000000.0<" },
+           { "<GrowthAmplitude>0.75</GrowthAmplitude>", "" },
+           { "<Environment>", "<Environment>\n<GrowthAmplitude>0.75</GrowthAmplitude>" },
+           { "<EquilibriumMode>",
+             "<SurfMesh><CMesh><DrawSmooth>1</DrawSmooth><Vertices/><Facets/><Lines/></CMesh></SurfMesh>"
+             "<EquilibriumMode>" },
+           { "</GA>",
+             "<QhullTmpFile>run/qhull.txt</QhullTmpFile><CurvaturesTmpFile>run/curvatures.txt</CurvaturesTmpFile></"
+             "GA>" },
+       })
+  {
+    text = replaced(text, ours, theirs);
+  }
+  for (const auto& [ours, theirs] :
+       { std::pair<std::string, std::string>("<Elastic_Mod>5e+06<", "<Elastic_Mod>5000000.0<"),
+         { "1e+06<", "1e+006<" } })
+  {
+    for (size_t place = text.find(ours); place != std::string::npos; place = text.find(ours, place))
+    {
+      text.replace(place, ours.size(), theirs);
+    }
+  }
+  const VxaRobot robot = readVxa(text, "robot.vxa");
+  EXPECT_EQ(robot.genome.program.phase_final, someRobot().genome.program.phase_final);
+  EXPECT_EQ(robot.genome.program.size_gene_initial, someRobot().genome.program.size_gene_initial);
+  for (const auto& field : softBodyReals())
+  {
+    EXPECT_EQ(robot.settings.*field.value, someRobot().settings.*field.value) << field.name;
+  }
 }
 
 TEST(Vxa, missingRepeatedAndUnknownTagsAreNamed)

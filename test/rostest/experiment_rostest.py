@@ -3,6 +3,7 @@
 
 import os
 import signal
+import sqlite3
 import sys
 
 import roslib.packages
@@ -29,6 +30,11 @@ class LaunchTest(ExperimentTest):
         self.wait_for_success(launched)
         self.assertEqual(launched.output().count(') joined'), 3)
         self.assertEqual(self.digest(), self.undisturbed_digest())
+        archive = sqlite3.connect(self.output + '/experiment.db')
+        (processor, host), = archive.execute('SELECT processor, host FROM starts').fetchall()
+        simulated, = archive.execute('SELECT count(DISTINCT phenotype_hash) FROM individuals').fetchone()
+        self.assertEqual(archive.execute('SELECT start, processor, evaluations FROM evaluators').fetchall(),
+                         [(1, processor, simulated)], host)
 
     def test_simulators_can_be_added_by_a_launch_of_their_own(self):
         experiment = self.launch_experiment(simulators='none')

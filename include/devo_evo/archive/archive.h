@@ -32,6 +32,16 @@ struct Provenance
   std::string ros = "";             ///< version of roscpp; empty for a program without ROS
 };
 
+/// A machine, and a program on it, that evaluated robots for an experiment's evolver.
+struct Evaluator
+{
+  std::string host;
+  std::string processor;
+  std::string instruction_set;
+  std::string version;      ///< of devo_evo
+  int64_t evaluations = 0;  ///< since the start, used for generations that are committed or under way
+};
+
 /// One stretch of work on an archive.
 struct Start
 {
@@ -40,6 +50,7 @@ struct Start
   Provenance provenance;
   std::optional<std::string> stop_utc;  ///< none: it still runs, or ended without a word (killed, power cut)
   int64_t generations_at_stop = 0;      ///< finished in all trials by then; 0 if there is no stop_utc
+  std::vector<Evaluator> evaluators;    ///< simulators; none if the evolver simulated all robots itself
 };
 
 /// Where to go on with a trial: the arguments of Trial's second constructor.
@@ -98,6 +109,9 @@ public:
 
   /// The same for one.
   void commitGeneration(const GenerationRecord& record) { commitGenerations({ record }); }
+
+  /// Takes down who has evaluated robots since the archive was opened. Written with the next commit, and at the end.
+  virtual void noteEvaluators(std::vector<Evaluator> evaluators) = 0;
 
   /// The evaluation (without velocity windows) of an individual with this phenotype, if one was committed in any trial.
   virtual std::optional<Evaluation> findEvaluation(const Hash128& phenotype_hash) const = 0;

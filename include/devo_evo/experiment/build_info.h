@@ -19,6 +19,9 @@ const BuildInfo& buildInfo();
 /// Version and commit for people: "0.1.0 (3f2c19a04b1d)", or "0.1.0" without a commit.
 std::string versionText();
 
+/// The processor's name as Linux tells it, or else its kind of machine: at most 255 printable ASCII characters.
+std::string processorName();
+
 /// Provenance of what is computed on this machine with an instruction set ("scalar", "avx2" or "avx512"). Takes the
 /// fraction of a second that the engine fingerprint takes.
 Provenance localProvenance(const std::string& instruction_set);

@@ -52,10 +52,13 @@ struct WorkerStatus
   std::string name;
   std::string host;
   WorkerState state = WorkerState::IDLE;
-  std::string reason;       ///< why it is late, lost, refused or quarantined, or was lost last
-  int64_t evaluations = 0;  ///< taken from it
-  int64_t checked = 0;      ///< of these, compared with those of another worker, and equal
-  int64_t losses = 0;       ///< how often it was lost
+  std::string reason;           ///< why it is late, lost, refused or quarantined, or was lost last
+  int64_t evaluations = 0;      ///< taken from it
+  int64_t checked = 0;          ///< of these, compared with those of another worker, and equal
+  int64_t losses = 0;           ///< how often it was lost
+  std::string processor;        ///< of its machine; empty: not known
+  std::string instruction_set;  ///< that it computes with
+  std::string version;          ///< of its devo_evo
 
   bool usable() const { return devo_evo::usable(state); }
 };
