@@ -39,7 +39,7 @@ Json parametersOf(const ExperimentSettings& settings)
   Json json;
   for (const ParameterSpec& spec : parameterSpecs())
   {
-    if (describesExperiment(spec))
+    if (describesExperiment(spec, settings.body.kind))
     {
       json[spec.name] = spec.get(parameters);
     }
