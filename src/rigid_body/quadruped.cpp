@@ -143,8 +143,8 @@ private:
 
   bool windowEnds() const
   {
-    const auto steps = static_cast<double>(steps_ - window_start_step_);
-    return steps_ == settings_.stepCount() || (steps + 0.5) * settings_.time_step > VELOCITY_WINDOW;
+    const double end = VELOCITY_WINDOW * static_cast<double>(velocity_.size() + 1);
+    return steps_ == settings_.stepCount() || (static_cast<double>(steps_) + 0.5) * settings_.time_step > end;
   }
 
   void endWindow(const Eigen::Vector3d& position)
