@@ -6,8 +6,8 @@ namespace devo_evo
 {
 namespace
 {
-// Comments stay in the file: `.schema` shows them. Not STRICT, so that SQLite from before 3.37 reads it too. What stands
-// between @ is the body's.
+// Comments stay in the file: `.schema` shows them. Not STRICT, so that SQLite from before 3.37 reads it too. What
+// stands between @ is the body's.
 const char* const TABLES = R"(
 CREATE TABLE individuals (  -- everybody who ever lived
   trial             INTEGER NOT NULL,

@@ -16,8 +16,9 @@ void writeFounders(Connection& connection, const EvolutionSettings& settings, co
   {
     const GenomeBlobs blobs(founder);
     connection
-        .query("INSERT OR REPLACE INTO founders (id, " + genomeColumns(layout) + ") VALUES (?, ?, ?, ?, ?, ?)", id++, blobs.morphology_initial, blobs.morphology_final, blobs.control_initial, blobs.control_final,
-            blobs.mutation_rate)
+        .query("INSERT OR REPLACE INTO founders (id, " + genomeColumns(layout) + ") VALUES (?, ?, ?, ?, ?, ?)", id++,
+               blobs.morphology_initial, blobs.morphology_final, blobs.control_initial, blobs.control_final,
+               blobs.mutation_rate)
         .run();
   }
 }

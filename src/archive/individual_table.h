@@ -17,8 +17,8 @@ std::optional<ArchivedIndividual> findIndividual(Connection& connection, const B
 ArchivedIndividual readIndividualRow(Connection& connection, const Body& body, int64_t trial, int64_t id);
 
 /// Those whose ids lie in [first_id, first_id + count), ascending, without genomes.
-std::vector<ArchivedIndividual> findIndividuals(Connection& connection, const Body& body, int64_t trial, int64_t first_id,
-                                                int64_t count);
+std::vector<ArchivedIndividual> findIndividuals(Connection& connection, const Body& body, int64_t trial,
+                                                int64_t first_id, int64_t count);
 
 std::optional<Evaluation> findEvaluationOf(Connection& connection, const Body& body, const Hash128& phenotype_hash);
 

@@ -88,7 +88,8 @@ void checkResumable(Connection& connection, const ExperimentSettings& wanted)
   std::string differences;
   for (const ParameterSpec& spec : parameterSpecs())
   {
-    if (describesExperiment(spec, wanted.body.kind) && EXTENT.count(spec.name) == 0 && spec.get(ours) != spec.get(archived))
+    if (describesExperiment(spec, wanted.body.kind) && EXTENT.count(spec.name) == 0 &&
+        spec.get(ours) != spec.get(archived))
     {
       differences += (differences.empty() ? "" : ", ") + spec.name + " is " + spec.get(archived) + " there and " +
                      spec.get(ours) + " here";

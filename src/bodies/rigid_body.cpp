@@ -52,9 +52,10 @@ std::vector<Measure> measuresOf(const RigidBodySettings& settings)
     { "turns", "full turns", "of the abdomen about the lateral axis; positive: rolling downhill",
       [](const Evaluation& evaluation) { return evaluation.turns; },
       [](Evaluation& evaluation, double value) { evaluation.turns = value; }, -ANY, ANY },
-    share("airborne_fraction", "share of the lifetime without touching the floor",
-          [](const Evaluation& evaluation) { return evaluation.airborne_fraction; },
-          [](Evaluation& evaluation, double value) { evaluation.airborne_fraction = value; }),
+    share(
+        "airborne_fraction", "share of the lifetime without touching the floor",
+        [](const Evaluation& evaluation) { return evaluation.airborne_fraction; },
+        [](Evaluation& evaluation, double value) { evaluation.airborne_fraction = value; }),
     share("abdomen_contact", "share of the lifetime in which the abdomen touches the floor", getOwn<ABDOMEN_CONTACT>,
           setOwn<ABDOMEN_CONTACT>),
     share("leg_contact", "share of the lifetime in which a leg touches the floor", getOwn<LEG_CONTACT>,
@@ -72,8 +73,9 @@ std::vector<Measure> failureMeasuresOf(const RigidBodySettings& settings)
   return { { "divergence_step", "1", "at which the simulation was given up, from 1",
              [](const Evaluation& evaluation)
              { return evaluation.divergence ? static_cast<double>(evaluation.divergence->step) : Evaluation::NONE; },
-             [](Evaluation& evaluation, double value)
-             { evaluation.divergence = Divergence{ static_cast<int64_t>(value), 0, Evaluation::NONE }; },
+             [](Evaluation& evaluation, double value) {
+               evaluation.divergence = Divergence{ static_cast<int64_t>(value), 0, Evaluation::NONE };
+             },
              1.0, static_cast<double>(settings.stepCount()), true } };
 }
 
@@ -111,9 +113,12 @@ public:
     layout.arm = "rigid/" + toString(settings.treatment) +
                  (settings.selection == Selection::AFPO ? "" : "/" + toString(settings.selection));
     layout.carrier = "a rigid quadruped";
-    layout.morphology = { "leg_length", "", "1", "leg", LEG_COUNT, 0.0, 1.0, 0.0, 1.0, sigma, treatment.body_develops, {} };
-    layout.control = { "weight", "", "1", "synapse", SYNAPSE_COUNT, -1.0, 1.0, -1.0, 1.0, 2.0 * sigma, treatment.control_develops,
-                       {} };
+    layout.morphology = {
+      "leg_length", "", "1", "leg", LEG_COUNT, 0.0, 1.0, 0.0, 1.0, sigma, treatment.body_develops, {}
+    };
+    layout.control = {
+      "weight", "", "1", "synapse", SYNAPSE_COUNT, -1.0, 1.0, -1.0, 1.0, 2.0 * sigma, treatment.control_develops, {}
+    };
     layout.mutation = MutationOperator::EVERY_PART;
     return layout;
   }
@@ -158,8 +163,8 @@ public:
 
   double relativeCost() const override
   {
-    return std::max(1.0, static_cast<double>(settings_.stepCount()) /
-                             static_cast<double>(RigidBodySettings().stepCount()));
+    return std::max(1.0,
+                    static_cast<double>(settings_.stepCount()) / static_cast<double>(RigidBodySettings().stepCount()));
   }
 
   std::string fitnessUnit() const override { return "1/m^2"; }

@@ -77,8 +77,8 @@ public:
                                                   "distance in the horizontal plane", -ANY, ANY),
       moment<&Evaluation::first_top_contact_since_birth_s>("first_top_contact_since_birth_s",
                                                            "first touch of the floor by the top layer", latest),
-      moment<&Evaluation::fell_over_since_birth_s>(
-          "fell_over_since_birth_s", "first time that more top voxels touch than others", latest),
+      moment<&Evaluation::fell_over_since_birth_s>("fell_over_since_birth_s",
+                                                   "first time that more top voxels touch than others", latest),
       number<&Evaluation::turns>("turns", "full turns", "about the lateral axis +x", -ANY, ANY),
       number<&Evaluation::airborne_fraction>("airborne_fraction", "1",
                                              "share of the lifetime without touching the floor", 0.0, 1.0),
@@ -102,14 +102,34 @@ public:
     layout.carrier = "a grid of " + toText(settings_.grid_x) + "x" + toText(settings_.grid_y) + "x" +
                      toText(settings_.grid_z) + " voxels";
     layout.grid = { settings_.grid_x, settings_.grid_y, settings_.grid_z };
-    layout.morphology = { "size_gene", "", "1", "voxel", voxels, -1.0, 1.0, -1.0, 1.0, settings.size_mutation_sigma,
-                          treatment.body_develops, {} };
+    layout.morphology = { "size_gene",
+                          "",
+                          "1",
+                          "voxel",
+                          voxels,
+                          -1.0,
+                          1.0,
+                          -1.0,
+                          1.0,
+                          settings.size_mutation_sigma,
+                          treatment.body_develops,
+                          {} };
     for (int voxel = 0; voxel < lattice_.voxelCount(); ++voxel)
     {
       layout.morphology.image.push_back(lattice_.mirrored(voxel));
     }
-    layout.control = { "phase", "_cycles", "cycles", "voxel", voxels, -1.0, 1.0, -phase_limit, phase_limit, phase_limit,
-                       treatment.control_develops, {} };
+    layout.control = { "phase",
+                       "_cycles",
+                       "cycles",
+                       "voxel",
+                       voxels,
+                       -1.0,
+                       1.0,
+                       -phase_limit,
+                       phase_limit,
+                       phase_limit,
+                       treatment.control_develops,
+                       {} };
     layout.self_adaptive = !settings.mutation_rate;
     return layout;
   }
@@ -123,8 +143,7 @@ public:
   {
     checkEvaluation(*this, evaluation);
     const double travelled = evaluation.fitness * settings_.grid_y;
-    if (evaluation.valid &&
-        !(std::abs(travelled - evaluation.displacement_y_voxels) <= 1e-15 * std::abs(travelled)))
+    if (evaluation.valid && !(std::abs(travelled - evaluation.displacement_y_voxels) <= 1e-15 * std::abs(travelled)))
     {
       throw InvalidInput("fitness and displacement_y_voxels contradict each other");
     }

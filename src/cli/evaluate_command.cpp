@@ -29,8 +29,7 @@ class OrderedEvaluation
 {
 public:
   /// @param window how many robots may be under way: bounds the memory, and keeps the farm busy.
-  OrderedEvaluation(RobotReader& robots, Farm& farm, const Body& body, ResultStream& results,
-                    size_t window)
+  OrderedEvaluation(RobotReader& robots, Farm& farm, const Body& body, ResultStream& results, size_t window)
     : robots_(robots), farm_(farm), body_(body), results_(results), window_(window)
   {
   }

@@ -89,7 +89,7 @@ void addEvolveCommand(CLI::App& tool, Command& command)
       "  devo_evo evolve                                   the paper's Evo-Devo, one trial of 20 generations\n"
       "  devo_evo evolve --treatment evo --trials 30 --generations 10000 --output /data/evo\n"
       "  devo_evo evolve --config experiment.yaml --seed 2\n"
-      "  devo_evo evolve --body rigid --config config/rigid.yaml      the quadruped of Fig S5\n"
+      "  devo_evo evolve --body rigid --generations 200    the quadruped of Fig S5\n"
       "Ctrl-C stops it; the same command resumes it where it was.\n"
       "\"devo_evo parameters\" tells the range of each parameter.");
   app->callback([=, &command] { command = [=] { return evolve(options.read()); }; });

@@ -79,8 +79,8 @@ void exportIndividual(const ExportArguments& arguments, const Archive& archive, 
   }
 }
 
-void exportDescendants(const ExportArguments& arguments, const std::vector<Descendant>& descendants,
-                       const Body& body, const LineSink& sink)
+void exportDescendants(const ExportArguments& arguments, const std::vector<Descendant>& descendants, const Body& body,
+                       const LineSink& sink)
 {
   if (arguments.format == "newick")
   {

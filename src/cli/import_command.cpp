@@ -32,7 +32,7 @@ struct Imported
 {
   std::vector<std::string> lines;
   std::optional<BodySettings> settings;  ///< of the VXA files; none if there are none
-  std::string settings_from;                 ///< the file that told of them first
+  std::string settings_from;             ///< the file that told of them first
 };
 
 std::string readWhole(const std::string& path)

@@ -104,7 +104,8 @@ Genome mutateEveryPart(const Genome& parent, const GenomeLayout& layout, RandomS
   for (const TraitSpec& trait : evolvingTraits(layout))
   {
     const double rate = 1.0 / evolvingNumbers(isMorphology(trait) ? layout.morphology : layout.control);
-    mutateTrait(child, trait, [rate](size_t) { return rate; }, random);
+    mutateTrait(
+        child, trait, [rate](size_t) { return rate; }, random);
     if (record && child.program.*trait.values != parent.program.*trait.values)
     {
       record->traits.push_back(trait.name);
@@ -144,8 +145,7 @@ void validateTrait(const Genome& genome, const TraitSpec& trait)
   {
     if (values[i] < trait.minimum - GENE_TOLERANCE || values[i] > trait.maximum + GENE_TOLERANCE)
     {
-      refuse(trait.name, i, values[i],
-             "it must lie within " + toText(trait.minimum) + " to " + toText(trait.maximum));
+      refuse(trait.name, i, values[i], "it must lie within " + toText(trait.minimum) + " to " + toText(trait.maximum));
     }
     if (!trait.mirrored())
     {
@@ -181,7 +181,8 @@ void validateRates(const std::vector<double>& rates, const EvolutionSettings& se
   {
     throw InvalidInput("mutation_rate has " + toText(static_cast<int64_t>(rates.size())) + " values; " +
                        (needed == 0 ? "with a fixed mutation rate it must have none"
-                                    : "self-adaptation needs one per " + layout.morphology.place + ", " + toText(static_cast<int64_t>(needed))));
+                                    : "self-adaptation needs one per " + layout.morphology.place + ", " +
+                                          toText(static_cast<int64_t>(needed))));
   }
   for (size_t voxel = 0; voxel < rates.size(); ++voxel)
   {
@@ -195,7 +196,10 @@ void validateRates(const std::vector<double>& rates, const EvolutionSettings& se
 
 void addProgram(Sha256& hash, const DevelopmentalProgram& program)
 {
-  hash.add(program.morphology_initial).add(program.morphology_final).add(program.control_initial).add(program.control_final);
+  hash.add(program.morphology_initial)
+      .add(program.morphology_final)
+      .add(program.control_initial)
+      .add(program.control_final);
 }
 
 Hash128 firstHalf(Sha256& hash)
@@ -216,8 +220,8 @@ std::vector<TraitSpec> evolvingTraits(const GenomeLayout& layout)
 {
   using Program = DevelopmentalProgram;
   std::vector<TraitSpec> traits;
-  const auto add = [&traits](const GenomePart& part, std::vector<double> Program::*initial,
-                             std::vector<double> Program::*final)
+  const auto add =
+      [&traits](const GenomePart& part, std::vector<double> Program::*initial, std::vector<double> Program::*final)
   {
     traits.push_back({ part.initialName(), initial, part.minimum, part.maximum, part.mutation_sigma, part.image });
     if (part.develops)
@@ -269,7 +273,8 @@ Genome mutateTraits(const Genome& parent, const std::vector<TraitSpec>& traits, 
   const std::vector<bool> selected = selectTraits(traits.size(), settings.profile, random);
   Genome child = parent;
   mutateRates(child.mutation_rate, settings, random);
-  const auto rate_of = [&](size_t i) { return settings.mutation_rate ? *settings.mutation_rate : child.mutation_rate[i]; };
+  const auto rate_of = [&](size_t i)
+  { return settings.mutation_rate ? *settings.mutation_rate : child.mutation_rate[i]; };
   for (size_t i = 0; i < traits.size(); ++i)
   {
     if (selected[i])

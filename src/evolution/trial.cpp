@@ -112,8 +112,7 @@ void Trial::addNewborn(const Individual* parent)
   newborn.parent = parent ? parent->id : Individual::NO_PARENT;
   newborn.generation = generation_;
   newborn.age = parent ? parent->age : 0;
-  newborn.genome =
-      bornGenome(settings_, layout_, number_, generation_, newborn.id, parent ? &parent->genome : nullptr);
+  newborn.genome = bornGenome(settings_, layout_, number_, generation_, newborn.id, parent ? &parent->genome : nullptr);
   individuals_.push_back(std::move(newborn));
 }
 

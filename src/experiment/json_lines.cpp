@@ -354,7 +354,8 @@ std::string evaluationToJson(const RobotId& id, const Evaluation& evaluation, co
     {
       const double value = measure.get(evaluation);
       const std::string name = measure.name.substr(std::string("divergence_").size());
-      verdict[name] = measure.whole ? nlohmann::ordered_json(static_cast<int64_t>(value)) : nlohmann::ordered_json(value);
+      verdict[name] =
+          measure.whole ? nlohmann::ordered_json(static_cast<int64_t>(value)) : nlohmann::ordered_json(value);
     }
     verdict["message"] = body.describeFailure(evaluation);
     json["verdict"] = verdict;

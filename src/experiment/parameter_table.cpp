@@ -284,11 +284,11 @@ std::vector<ParameterSpec> experimentSpecs()
     return parameters.experiment.evolution.profile;
   };
   return {
-    choiceSpec(
-        { "treatment", "experiment", "",
-          "What develops over a robot's life: body and control, of soft robots resting lengths and phases (evo_devo), one of them (evo_devo_body, "
-          "evo_devo_control), or nothing (evo)." },
-        treatmentNames(), treatment, parseTreatment),
+    choiceSpec({ "treatment", "experiment", "",
+                 "What develops over a robot's life: body and control, of soft robots resting lengths and phases "
+                 "(evo_devo), one of them (evo_devo_body, "
+                 "evo_devo_control), or nothing (evo)." },
+               treatmentNames(), treatment, parseTreatment),
     only(BodyKind::SOFT,
          choiceSpec({ "profile", "experiment", "",
                       "Which is followed where the paper's text and its released code differ (docs/evolution.md)." },
@@ -435,8 +435,8 @@ std::vector<ParameterSpec> nodesSpecs()
 std::vector<ParameterSpec> allSpecs()
 {
   std::vector<ParameterSpec> specs;
-  for (const auto& group : { experimentSpecs(), evolutionSpecs(), bodySpecs(), physicsSpecs(), rigidBodySpecs(), farmSpecs(),
-                             nodesSpecs(), studySpecs(), playerSpecs() })
+  for (const auto& group : { experimentSpecs(), evolutionSpecs(), bodySpecs(), physicsSpecs(), rigidBodySpecs(),
+                             farmSpecs(), nodesSpecs(), studySpecs(), playerSpecs() })
   {
     specs.insert(specs.end(), group.begin(), group.end());
   }

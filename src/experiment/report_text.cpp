@@ -13,7 +13,7 @@ std::string describe(const ArchivedIndividual& robot, const Body& body)
 {
   const Individual& individual = robot.individual;
   return "Best robot: " + individualName(individual.trial, individual.id) + ", born in generation " +
-         toText(individual.generation) + "\n" +  //
+         toText(individual.generation) + "\n" +                   //
          "    " + body.describe(*individual.evaluation) + "\n" +  //
          "    developmental windows: W_L " + fixedText(robot.morphology_window, 3) + " (body), W_Phi " +
          fixedText(robot.control_window, 3) + " (control)\n";
@@ -64,8 +64,8 @@ std::string progressText(const GenerationReport& report, const ExperimentSetting
   const std::shared_ptr<const Body> body = makeBody(settings.body);
   return "trial " + toText(record.trial) + "/" + toText(settings.trials) + ", generation " + toText(record.generation) +
          "/" + toText(settings.generations) + ": best " + body->fitnessText(record.best_fitness) + ", median " +
-         body->fitnessText(record.median_fitness) + " " + body->fitnessUnit() + "; " + fixedText(report.evaluations_per_s, 1) +
-         " evaluations/s, " + durationText(report.remaining_s) + " left";
+         body->fitnessText(record.median_fitness) + " " + body->fitnessUnit() + "; " +
+         fixedText(report.evaluations_per_s, 1) + " evaluations/s, " + durationText(report.remaining_s) + " left";
 }
 
 std::string workersText(const std::vector<WorkerStatus>& workers)

@@ -36,8 +36,7 @@ void checkForeignParameters(const ExperimentSettings& settings)
     if (spec.body && *spec.body != settings.body.kind && value != spec.default_text)
     {
       throw InvalidInput(spec.name + " is " + value + ", but it is a parameter of " + toString(*spec.body) +
-                         " bodies, and body is " + toString(settings.body.kind) + "; leave it at " +
-                         spec.default_text);
+                         " bodies, and body is " + toString(settings.body.kind) + "; leave it at " + spec.default_text);
     }
   }
 }

@@ -80,10 +80,10 @@ std::vector<Column> traits(const Body& body)
   {
     columns.push_back(measure(each));
   }
-  columns.push_back({ "morphology_window", [](const ArchivedIndividual& archived)
-                      { return textOf(archived.morphology_window); } });
-  columns.push_back({ "control_window", [](const ArchivedIndividual& archived)
-                      { return textOf(archived.control_window); } });
+  columns.push_back(
+      { "morphology_window", [](const ArchivedIndividual& archived) { return textOf(archived.morphology_window); } });
+  columns.push_back(
+      { "control_window", [](const ArchivedIndividual& archived) { return textOf(archived.control_window); } });
   for (const Measure& each : body.failureMeasures())
   {
     columns.push_back(measure(each));
@@ -93,8 +93,8 @@ std::vector<Column> traits(const Body& body)
                         const Evaluation& evaluation = *archived.individual.evaluation;
                         return evaluation.valid ? hashToString(evaluation.state_hash) : "";
                       } });
-  columns.push_back({ "phenotype_hash", [](const ArchivedIndividual& archived)
-                      { return toHex(archived.phenotype_hash); } });
+  columns.push_back(
+      { "phenotype_hash", [](const ArchivedIndividual& archived) { return toHex(archived.phenotype_hash); } });
   columns.push_back({ "genome_hash", [](const ArchivedIndividual& archived) { return toHex(archived.genome_hash); } });
   return columns;
 }

@@ -124,9 +124,8 @@ Image gaitRows(const Archive& archive, int width, Colouring colouring)
       choice.trial = best->individual.trial;
       choice.id = best->individual.id;
       times = row.times(body);
-      image.place(
-          paintPoses(body, framesAt(*findRobot(archive, choice), times), colouring, row_width, row_height),
-          left, y);
+      image.place(paintPoses(body, framesAt(*findRobot(archive, choice), times), colouring, row_width, row_height),
+                  left, y);
     }
     Canvas canvas(image);
     const double x = 24 * scale;

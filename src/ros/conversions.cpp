@@ -46,16 +46,15 @@ std::vector<NamedNumber> toMsg(const std::vector<Measure>& measures, const Evalu
 void read(const std::vector<NamedNumber>& numbers, const std::vector<Measure>& measures, const char* field,
           Evaluation& evaluation)
 {
-  require(numbers.size() == measures.size(), std::string(field) + " has " +
-                                                 toText(static_cast<int64_t>(numbers.size())) +
-                                                 " numbers where there must be " +
-                                                 toText(static_cast<int64_t>(measures.size())));
+  require(numbers.size() == measures.size(),
+          std::string(field) + " has " + toText(static_cast<int64_t>(numbers.size())) +
+              " numbers where there must be " + toText(static_cast<int64_t>(measures.size())));
   for (size_t i = 0; i < measures.size(); ++i)
   {
     const Measure& measure = measures[i];
     const double value = numbers[i].value;
-    require(numbers[i].name == measure.name, std::string(field) + " has \"" + numbers[i].name.substr(0, 80) +
-                                                 "\" where there must be " + measure.name);
+    require(numbers[i].name == measure.name,
+            std::string(field) + " has \"" + numbers[i].name.substr(0, 80) + "\" where there must be " + measure.name);
     require(!measure.whole || (value >= measure.minimum && value <= measure.maximum && value == std::floor(value)),
             measure.name + " is " + toText(value) + "; it must be a whole number within " + toText(measure.minimum) +
                 " to " + toText(measure.maximum));
@@ -360,8 +359,8 @@ std::vector<Evaluation> evaluationsOf(const EvaluateGenomes::Response& response,
   return evaluations;
 }
 
-VelocityTelemetry telemetryOf(const EvaluationRequest& robot, const Evaluation& evaluation,
-                              const Body& body, const std::string& simulator)
+VelocityTelemetry telemetryOf(const EvaluationRequest& robot, const Evaluation& evaluation, const Body& body,
+                              const std::string& simulator)
 {
   VelocityTelemetry telemetry;
   telemetry.header.stamp = wallStamp();

@@ -69,8 +69,8 @@ std::vector<EvaluationRequest> robotsOf(const EvaluateGenomes::Request& request,
 std::vector<Evaluation> evaluationsOf(const EvaluateGenomes::Response& response,
                                       const std::vector<EvaluationRequest>& robots, const Body& body);
 
-VelocityTelemetry telemetryOf(const EvaluationRequest& robot, const Evaluation& evaluation,
-                              const Body& body, const std::string& simulator);
+VelocityTelemetry telemetryOf(const EvaluationRequest& robot, const Evaluation& evaluation, const Body& body,
+                              const std::string& simulator);
 
 /// The simulator's engine for a kind of body; 0: it has none.
 uint64_t fingerprintFor(const std::string& kind, const SimulatorAnnouncement& announcement);

@@ -55,8 +55,7 @@ bool isBetter(const EvolvedRobot& candidate, const EvolvedRobot& present)
 }
 }  // namespace
 
-EvolverNode::EvolverNode(const Parameters& parameters)
-  : EvolverNode(parameters, settingsOf(parameters))
+EvolverNode::EvolverNode(const Parameters& parameters) : EvolverNode(parameters, settingsOf(parameters))
 {
 }
 

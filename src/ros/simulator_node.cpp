@@ -25,8 +25,8 @@ void requireSameEngine(uint64_t wanted, uint64_t own, const std::string& kind)
   if (wanted != 0 && wanted != own)
   {
     throw InvalidInput("the engine fingerprint of this simulator for " + kind + " bodies is " + hashToString(own) +
-                       ", its version " +
-                       versionText() + "; the engine fingerprint asked for is " + hashToString(wanted));
+                       ", its version " + versionText() + "; the engine fingerprint asked for is " +
+                       hashToString(wanted));
   }
 }
 

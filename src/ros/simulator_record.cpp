@@ -23,7 +23,7 @@ std::string describe(const SimulatorAnnouncement& simulator)
 
 std::string engineMismatch(const SimulatorAnnouncement& simulator, const std::string& kind, uint64_t own_fingerprint)
 {
-  return "its engine fingerprint for " + kind + " bodies is " + hashToString(fingerprintFor(kind, simulator)) + ", that of this evolver is " +
-         hashToString(own_fingerprint) + "; its version is " + simulator.version;
+  return "its engine fingerprint for " + kind + " bodies is " + hashToString(fingerprintFor(kind, simulator)) +
+         ", that of this evolver is " + hashToString(own_fingerprint) + "; its version is " + simulator.version;
 }
 }  // namespace devo_evo

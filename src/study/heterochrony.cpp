@@ -32,7 +32,8 @@ WindowClosing closing(const Genes& initial, const Genes& final, const Genes& new
 
 WindowClosing morphologyClosing(const DevelopmentalProgram& parent, const DevelopmentalProgram& child)
 {
-  return closing(parent.morphology_initial, parent.morphology_final, child.morphology_initial, child.morphology_final, 1.0);
+  return closing(parent.morphology_initial, parent.morphology_final, child.morphology_initial, child.morphology_final,
+                 1.0);
 }
 
 WindowClosing controlClosing(const DevelopmentalProgram& parent, const DevelopmentalProgram& child, double phase_limit)

@@ -130,8 +130,7 @@ void StudyDatabase::putEvaluation(int64_t world, const Hash128& phenotype, const
           [&]
           {
             connection_->beginWork();
-            Query query =
-                connection_->query(sql, world, phenotype, start_, velocitiesOf(evaluation, with_velocities));
+            Query query = connection_->query(sql, world, phenotype, start_, velocitiesOf(evaluation, with_velocities));
             bindEvaluation(query, *body, evaluation);
             query.run();
           });

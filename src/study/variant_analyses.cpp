@@ -30,8 +30,8 @@ Work freezeWork(const StudyContext& study, const RunChampion& champion)
         study.database.run(
             "INSERT OR REPLACE INTO variants (arm, trial, id, moment, scope, morphology_window, "
             "control_window, phenotype_hash) VALUES (?, ?, ?, ?, ?, ?, ?, ?)",
-            champion.arm, champion.trial(), champion.id(), toString(moment), toString(scope), morphologyWindow(*robot, layout),
-            controlWindow(*robot, layout), phenotypeHash(*robot));
+            champion.arm, champion.trial(), champion.id(), toString(moment), toString(scope),
+            morphologyWindow(*robot, layout), controlWindow(*robot, layout), phenotypeHash(*robot));
         ++robot;
       }
     }

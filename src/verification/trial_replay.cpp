@@ -153,8 +153,8 @@ ArchivedIndividual TrialReplay::compareBirth(const Individual& born, const Archi
   comparison.check("phenotype_hash", archived->phenotype_hash, phenotypeHash(born.genome.program), rule);
   comparison.check("morphology_window", archived->morphology_window, morphologyWindow(born.genome.program, layout_),
                    "the genome");
-  comparison.check("control_window", archived->control_window,
-                   controlWindow(born.genome.program, layout_), "the genome");
+  comparison.check("control_window", archived->control_window, controlWindow(born.genome.program, layout_),
+                   "the genome");
   if (archived->has_genome && !(noted.genome == born.genome))
   {
     comparison.fail("the stored genome is not the one it was born with, which has the hash " +

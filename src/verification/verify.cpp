@@ -131,7 +131,11 @@ class Verifier
 public:
   Verifier(const Archive& archive, const VerificationScope& scope, Farm& farm,
            const std::function<bool(const Verification&)>& progress)
-    : archive_(archive), settings_(archive.settings()), chosen_(archive, scope), lives_(farm, makeBody(settings_.body)), progress_(progress)
+    : archive_(archive)
+    , settings_(archive.settings())
+    , chosen_(archive, scope)
+    , lives_(farm, makeBody(settings_.body))
+    , progress_(progress)
   {
   }
 

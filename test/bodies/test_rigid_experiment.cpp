@@ -193,9 +193,10 @@ TEST(RigidJson, ARobotOfTheOtherBodyIsRefusedEvenIfItDoesNotSaySo)
   const std::shared_ptr<const Body> soft = makeSoftBody(SoftBodySettings());
   std::istringstream input(R"({"id":1,"leg_length_initial":[1,1,1,1],"weight_initial":[0,0,0,0,0,0,0,0]})");
   RobotReader reader(input, "robots", *soft);
-  EXPECT_EQ(messageOf<InvalidInput>([&] { reader.next(); }),
-            "robots, line 1, robot 1: it is a robot with a rigid body, since it has leg_length_initial, and the parameter "
-            "body is soft; a robot of that kind of body is needed, or the other parameter");
+  EXPECT_EQ(
+      messageOf<InvalidInput>([&] { reader.next(); }),
+      "robots, line 1, robot 1: it is a robot with a rigid body, since it has leg_length_initial, and the parameter "
+      "body is soft; a robot of that kind of body is needed, or the other parameter");
 }
 
 /// The best fitness of a run with this selection.

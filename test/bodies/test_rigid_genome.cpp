@@ -129,8 +129,9 @@ TEST(RigidGenome, MutantsStayWithinTheRangesAndHaveNoMutationRates)
 TEST(RigidGenome, WindowsAreSharesOfTheRanges)
 {
   const GenomeLayout layout = BODY->layout(EvolutionSettings());
-  DevelopmentalProgram program = { { 0, 0, 0, 0 }, { 1, 1, 0, 0 }, std::vector<double>(8, -1.0),
-                                   std::vector<double>(8, 1.0) };
+  DevelopmentalProgram program = {
+    { 0, 0, 0, 0 }, { 1, 1, 0, 0 }, std::vector<double>(8, -1.0), std::vector<double>(8, 1.0)
+  };
   EXPECT_EQ(morphologyWindow(program, layout), 0.5);
   EXPECT_EQ(controlWindow(program, layout), 1.0);
   program.control_final[0] = -1.0;

@@ -66,7 +66,8 @@ TEST(PartialDevelopment, hasThreeTraits)
 
 TEST(PartialDevelopment, refusesAGenomeThatDevelopsInWhatDoesNot)
 {
-  const Genome genome = bornGenome(settingsOf(Treatment::EVO_DEVO, Profile::PAPER), layoutOf(settingsOf(Treatment::EVO_DEVO, Profile::PAPER)), 1, 0, 0, nullptr);
+  const Genome genome = bornGenome(settingsOf(Treatment::EVO_DEVO, Profile::PAPER),
+                                   layoutOf(settingsOf(Treatment::EVO_DEVO, Profile::PAPER)), 1, 0, 0, nullptr);
   for (const Treatment treatment : { Treatment::EVO_DEVO_BODY, Treatment::EVO_DEVO_CONTROL })
   {
     EXPECT_THROW(validate(genome, settingsOf(treatment, Profile::PAPER), SoftBodySettings()), InvalidInput);

@@ -222,7 +222,8 @@ TEST(WritingEvaluations, NumbersReadBackAsTheSame)
   {
     Evaluation evaluation = validEvaluation();
     evaluation.turns = number;
-    const Json json = Json::parse(evaluationToJson(RobotId(int64_t{ 1 }), evaluation, *makeSoftBody(SoftBodySettings())));
+    const Json json =
+        Json::parse(evaluationToJson(RobotId(int64_t{ 1 }), evaluation, *makeSoftBody(SoftBodySettings())));
     EXPECT_EQ(json["turns"].get<double>(), number);
     EXPECT_EQ(json["id"], 1);
   }

@@ -105,7 +105,8 @@ TEST(Explanation, everyFieldOfAnEvaluationInJsonHasOne)
 {
   Evaluation evaluation;
   evaluation.divergence = Divergence{ 1, 2, 3.0 };
-  const auto json = nlohmann::json::parse(evaluationToJson(int64_t{ 1 }, evaluation, *makeSoftBody(SoftBodySettings())));
+  const auto json =
+      nlohmann::json::parse(evaluationToJson(int64_t{ 1 }, evaluation, *makeSoftBody(SoftBodySettings())));
   for (const auto& [name, value] : json.items())
   {
     expectExplained(name);

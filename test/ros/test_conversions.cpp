@@ -241,8 +241,9 @@ TEST(Conversions, ARigidEvaluationComesBackAsItWas)
   RigidBodySettings settings;
   settings.lifetime = 1.25;
   const std::shared_ptr<const Body> body = makeRigidBody(settings);
-  const DevelopmentalProgram program = { { 1, 1, 0.5, 0.5 }, { 0, 0, 0, 0 }, std::vector<double>(8, 0.5),
-                                         std::vector<double>(8, -0.5) };
+  const DevelopmentalProgram program = {
+    { 1, 1, 0.5, 0.5 }, { 0, 0, 0, 0 }, std::vector<double>(8, 0.5), std::vector<double>(8, -0.5)
+  };
   const Evaluation evaluation = body->evaluate({ program }, InstructionSet::SCALAR).front();
   ASSERT_TRUE(evaluation.valid);
   RobotEvaluation message = toMsg(evaluation, 1, 2, *body);
@@ -312,7 +313,8 @@ TEST(Conversions, DivergencesThatCannotBeAreRefused)
   const std::vector<std::function<void(RobotEvaluation&)>> corruptions = {
     [](RobotEvaluation& message) { valueOf(message.failure, "divergence_step") = 0; },
     [](RobotEvaluation& message) { valueOf(message.failure, "divergence_step") = 1000000000; },
-    [](RobotEvaluation& message) { valueOf(message.failure, "divergence_bond") = 7; },  // 2x3x1 voxels have 7 bonds, from 0
+    [](RobotEvaluation& message)
+    { valueOf(message.failure, "divergence_bond") = 7; },  // 2x3x1 voxels have 7 bonds, from 0
     [](RobotEvaluation& message) { valueOf(message.failure, "divergence_bond") = -1; },
     [](RobotEvaluation& message) { valueOf(message.failure, "divergence_strain") = 100.0; },
     [](RobotEvaluation& message) { message.fitness = 0.0; },
@@ -344,7 +346,8 @@ TEST(Conversions, ARequestComesBackAsItWas)
 TEST(Conversions, ARequestIsRefusedWithItsFaultNamed)
 {
   const SoftBodySettings settings = unusualSettings();
-  const EvaluateGenomes::Request sound = toRequest({ { 1, 5, programFor(settings) } }, BodySettings(settings), unusualBody(), 0);
+  const EvaluateGenomes::Request sound =
+      toRequest({ { 1, 5, programFor(settings) } }, BodySettings(settings), unusualBody(), 0);
 
   EvaluateGenomes::Request request = sound;
   request.id.push_back(6);

@@ -423,10 +423,10 @@ TEST_F(SimulatorFarmTest, AnotherEngineIsRefusedAndToldSo)
   announce("/stranger", 0xfedcba9876543210);
   ASSERT_TRUE(eventually([&] { return stranger.calls == 1; }));
   announce("/stranger", 0xfedcba9876543210);
-  EXPECT_EQ(
-      state("/stranger"),
-      "refused: its engine fingerprint for soft bodies is fedcba9876543210, that of this evolver is 0123456789abcdef; its version "
-      "is 9.9.9");
+  EXPECT_EQ(state("/stranger"),
+            "refused: its engine fingerprint for soft bodies is fedcba9876543210, that of this evolver is "
+            "0123456789abcdef; its version "
+            "is 9.9.9");
   EXPECT_FALSE(status("/stranger").usable());
   join("/friend");
   expectEachOnce(collect(2), 2);
@@ -446,7 +446,8 @@ TEST_F(SimulatorFarmTest, NonsenseIsNotAcceptedFromAnybody)
     [](EvaluateGenomes::Response& answer) { answer.evaluations[0].fitness += 1.0; },
     [&](EvaluateGenomes::Response& answer) { test::valueOf(answer.evaluations[0].measures, "turns") = nan; },
     [](EvaluateGenomes::Response& answer) { test::valueOf(answer.evaluations[0].measures, "airborne_fraction") = 1.5; },
-    [](EvaluateGenomes::Response& answer) { test::valueOf(answer.evaluations[0].measures, "fell_over_since_birth_s") = 2.0; },
+    [](EvaluateGenomes::Response& answer)
+    { test::valueOf(answer.evaluations[0].measures, "fell_over_since_birth_s") = 2.0; },
     [](EvaluateGenomes::Response& answer) { answer.evaluations[0].velocity.clear(); },
     [](EvaluateGenomes::Response& answer) { answer.evaluations[0].valid = false; },
     [](EvaluateGenomes::Response& answer) { answer.error = "no"; },

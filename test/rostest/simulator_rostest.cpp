@@ -216,15 +216,16 @@ TEST_F(SimulatorTest, SimulatesRigidBodiesAsTheLibraryDoes)
   for (int64_t id = 0; id < 3; ++id)
   {
     const double length = 0.25 * static_cast<double>(id + 1);
-    requests[static_cast<size_t>(id)] = {
-      1, id, { std::vector<double>(4, length), std::vector<double>(4, 0.0), std::vector<double>(8, length), std::vector<double>(8, -length) }
-    };
+    requests[static_cast<size_t>(id)] = { 1,
+                                          id,
+                                          { std::vector<double>(4, length), std::vector<double>(4, 0.0),
+                                            std::vector<double>(8, length), std::vector<double>(8, -length) } };
   }
   const auto expected = body->evaluate(programsOf(requests), InstructionSet::SCALAR);
   for (const std::string simulator : { "best", "scalar" })
   {
-    const auto response = ask(simulator, toRequest(requests, BodySettings(settings), *body,
-                                                   body->engineFingerprint(InstructionSet::SCALAR)));
+    const auto response = ask(
+        simulator, toRequest(requests, BodySettings(settings), *body, body->engineFingerprint(InstructionSet::SCALAR)));
     ASSERT_EQ(response.error, "");
     const auto answered = evaluationsOf(response, requests, *body);
     for (size_t i = 0; i < requests.size(); ++i)

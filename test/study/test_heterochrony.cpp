@@ -25,7 +25,8 @@ std::vector<ArchivedIndividual> someLineage(const EvolutionSettings& settings, i
   for (int64_t step = 1; step <= steps; ++step)
   {
     ArchivedIndividual child;
-    child.individual.genome = bornGenome(settings, layoutOf(settings), 1, step, step, &lineage.back().individual.genome);
+    child.individual.genome =
+        bornGenome(settings, layoutOf(settings), 1, step, step, &lineage.back().individual.genome);
     lineage.push_back(child);
   }
   return lineage;
@@ -77,9 +78,13 @@ TEST(Heterochrony, addsUpToTheChangeOfTheWindow)
     const DevelopmentalProgram& child = lineage[step].individual.genome.program;
     const WindowClosing body = morphologyClosing(parent, child), control = controlClosing(parent, child, 0.25);
     EXPECT_NEAR(body.initial_towards_final + body.final_towards_initial,
-                morphologyWindow(parent, layoutOf(EvolutionSettings())) - morphologyWindow(child, layoutOf(EvolutionSettings())), 1e-14);
-    EXPECT_NEAR(control.initial_towards_final + control.final_towards_initial,
-                controlWindow(parent, layoutOf(EvolutionSettings())) - controlWindow(child, layoutOf(EvolutionSettings())), 1e-14);
+                morphologyWindow(parent, layoutOf(EvolutionSettings())) -
+                    morphologyWindow(child, layoutOf(EvolutionSettings())),
+                1e-14);
+    EXPECT_NEAR(
+        control.initial_towards_final + control.final_towards_initial,
+        controlWindow(parent, layoutOf(EvolutionSettings())) - controlWindow(child, layoutOf(EvolutionSettings())),
+        1e-14);
   }
 }
 

@@ -43,7 +43,8 @@ TEST(MutationCount, ofGenesIsSixtyAnd63Point1875Lambda)
   expectMean(60.0, countMutations(settingsOf(Treatment::EVO, Profile::PAPER, 1.0), paperBody(), REPRODUCTIONS).genes,
              "n=2");
   expectMean(63.1875,
-             countMutations(settingsOf(Treatment::EVO_DEVO, Profile::PAPER, 1.0), paperBody(), REPRODUCTIONS).genes, "n=4");
+             countMutations(settingsOf(Treatment::EVO_DEVO, Profile::PAPER, 1.0), paperBody(), REPRODUCTIONS).genes,
+             "n=4");
 }
 
 TEST(MutationCount, ofNothingIsNothing)

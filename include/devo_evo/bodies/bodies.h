@@ -19,11 +19,12 @@ enum class BodyKind
   RIGID  ///< the quadruped of Fig S5
 };
 
-std::string toString(BodyKind kind);            ///< "soft" or "rigid"
+std::string toString(BodyKind kind);              ///< "soft" or "rigid"
 BodyKind parseBodyKind(const std::string& name);  ///< @throw InvalidInput
-std::string bodyKindNames();                    ///< for messages and documentation: "soft or rigid"
+std::string bodyKindNames();                      ///< for messages and documentation: "soft or rigid"
 
-/// A kind of body, and everything besides the genome that its evaluations depend on. Settings of other kinds are let be.
+/// A kind of body, and everything besides the genome that its evaluations depend on. Settings of other kinds are let
+/// be.
 struct BodySettings
 {
   BodyKind kind = BodyKind::SOFT;

@@ -13,11 +13,11 @@
 
 namespace devo_evo
 {
-/// Morphology or control: what the two arrays of one part of a DevelopmentalProgram hold in a kind of body, and how they
-/// evolve.
+/// Morphology or control: what the two arrays of one part of a DevelopmentalProgram hold in a kind of body, and how
+/// they evolve.
 struct GenomePart
 {
-  std::string name;         ///< of one number, like "size_gene"; the arrays are "size_gene_initial" and "size_gene_final"
+  std::string name;  ///< of one number, like "size_gene"; the arrays are "size_gene_initial" and "size_gene_final"
   std::string file_suffix;  ///< that the arrays' names have in JSON lines besides
   std::string unit;         ///< "1" if it has none
   std::string place;        ///< what has one number in each array, for messages: "voxel"
@@ -44,8 +44,8 @@ enum class MutationOperator
 /// All that evolution has to know of a kind of body.
 struct GenomeLayout
 {
-  std::string arm;  ///< names what decides random numbers besides the seed, like "evo_devo/paper/self_adaptive"
-  std::string carrier;  ///< what has so many numbers, for messages: "a grid of 4x4x3 voxels"
+  std::string arm;        ///< names what decides random numbers besides the seed, like "evo_devo/paper/self_adaptive"
+  std::string carrier;    ///< what has so many numbers, for messages: "a grid of 4x4x3 voxels"
   std::vector<int> grid;  ///< on which the numbers stand, along x, y and z; empty: on none
   GenomePart morphology;
   GenomePart control;
@@ -53,12 +53,13 @@ struct GenomeLayout
   bool self_adaptive = false;  ///< whether genomes have a mutation rate for each number of a part
 };
 
-/// What a kind of body measures of a life besides valid, fitness, velocity and state hash; or of a simulation that failed.
+/// What a kind of body measures of a life besides valid, fitness, velocity and state hash; or of a simulation that
+/// failed.
 struct Measure
 {
   std::string name;  ///< as in archives, files and messages; times end in "_s", failures begin with "divergence_"
   std::string unit;
-  std::string meaning;  ///< one phrase
+  std::string meaning;                          ///< one phrase
   double (*get)(const Evaluation& evaluation);  ///< NaN: it never came to that
   void (*set)(Evaluation& evaluation, double value);
   double minimum;  ///< inclusive

@@ -92,8 +92,8 @@ struct EvolutionSettings
   /// Bound of a phase, and standard deviation of its mutation [cycles]: 1/4 (paper) or 1 (released code).
   double phaseLimit() const;
 
-  /// Names what decides the random numbers of soft bodies besides the seed: "evo_devo/paper/self_adaptive", "evo/released_code/0.5",
-  /// "evo/paper/self_adaptive/neutral".
+  /// Names what decides the random numbers of soft bodies besides the seed: "evo_devo/paper/self_adaptive",
+  /// "evo/released_code/0.5", "evo/paper/self_adaptive/neutral".
   std::string arm() const;
 
   /// @throw InvalidInput naming the field, its value and its range.

@@ -17,7 +17,7 @@ struct GenerationRecord
   std::vector<int64_t> survivors;     ///< ids of the next population, in ranking order; the champion is first
   int64_t champion = 0;               ///< id of the best valid survivor; of the first survivor if none is valid
   double best_fitness = 0.0;          ///< [in the unit of the body's fitness]; NaN if no survivor is valid
-  double median_fitness = 0.0;        ///< of the valid survivors [in the unit of the body's fitness]; NaN if there is none
+  double median_fitness = 0.0;  ///< of the valid survivors [in the unit of the body's fitness]; NaN if there is none
 };
 
 /// One evolutionary trial: a pure state machine without clocks, files or threads.

@@ -9,8 +9,8 @@
 
 namespace devo_evo
 {
-/// An experiment: one kind of body, one arm (treatment, profile, mutation rate), several trials side by side. Ranges stand in
-/// experimentIntegers().
+/// An experiment: one kind of body, one arm (treatment, profile, mutation rate), several trials side by side. Ranges
+/// stand in experimentIntegers().
 struct ExperimentSettings
 {
   BodySettings body;

@@ -11,9 +11,9 @@ namespace devo_evo
 /// change linearly (paper, Eq. 1). What the numbers are, and how many there are, is up to the kind of body. Without
 /// development the final arrays equal the initial ones.
 ///
-/// Of soft bodies, one entry per voxel, in the order index = x + grid_x * (y + grid_y * z). Morphology is a size gene [1,
-/// within -1 to 1], resting length = L (1 + 0.75 gene); control is the phase offset of actuation [cycles, within -1 to 1].
-/// Of rigid bodies: QuadrupedProgram.
+/// Of soft bodies, one entry per voxel, in the order index = x + grid_x * (y + grid_y * z). Morphology is a size gene
+/// [1, within -1 to 1], resting length = L (1 + 0.75 gene); control is the phase offset of actuation [cycles, within -1
+/// to 1]. Of rigid bodies: QuadrupedProgram.
 struct DevelopmentalProgram
 {
   std::vector<double> morphology_initial;  ///< at birth
