@@ -19,7 +19,7 @@ CREATE TABLE individuals (  -- everybody who ever lived
   fitness           REAL CHECK ((fitness IS NOT NULL) = valid),  -- [@fitness_unit@]
 @measures@  morphology_window REAL NOT NULL,  -- W_L [1, 0 to 1]
   control_window    REAL NOT NULL,  -- W_Phi [1, 0 to 1]
-@failures@  state_hash        BLOB CHECK (state_hash IS NULL OR length(state_hash) = 8),  -- of the final state; NULL if invalid
+@failures@  state_hash BLOB CHECK (state_hash IS NULL OR length(state_hash) = 8),  -- of the final state; NULL if invalid
   phenotype_hash    BLOB NOT NULL CHECK (length(phenotype_hash) = 16),  -- of the developmental program
   genome_hash       BLOB NOT NULL CHECK (length(genome_hash) = 16),     -- of program and mutation rates
   PRIMARY KEY (trial, id)
