@@ -366,7 +366,7 @@ TEST(Conversions, ARequestIsRefusedWithItsFaultNamed)
 TEST(Conversions, AReasonForQuarantineIsATextWithoutRobots)
 {
   const SoftBodySettings settings = unusualSettings();
-  EvaluateGenomes::Request request = toRequest({}, settings, 0);
+  EvaluateGenomes::Request request = toRequest({}, BodySettings(settings), unusualBody(), 0);
   EXPECT_EQ(quarantineOf(request), std::nullopt);
   request.quarantine = "wrong";
   EXPECT_EQ(quarantineOf(request), "wrong");
@@ -375,7 +375,7 @@ TEST(Conversions, AReasonForQuarantineIsATextWithoutRobots)
     request.quarantine = text;
     EXPECT_EQ(complaint([&] { quarantineOf(request); }), "quarantine must be at most 255 printable ASCII characters");
   }
-  request = toRequest({ { 1, 5, programFor(settings) } }, settings, 0);
+  request = toRequest({ { 1, 5, programFor(settings) } }, BodySettings(settings), unusualBody(), 0);
   request.quarantine = "wrong";
   EXPECT_EQ(complaint([&] { quarantineOf(request); }),
             "a request with robots for a simulator that is to be quarantined");

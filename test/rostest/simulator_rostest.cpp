@@ -257,14 +257,14 @@ TEST_F(SimulatorTest, AQuarantinedSimulatorSaysSoAndEvaluatesNothingMore)
   ros::Subscriber log = node_.subscribe<rosgraph_msgs::Log>("/rosout", 100, take);
   ASSERT_TRUE(eventually([&] { return heard_.count("/farm/wrong") == 1 && log.getNumPublishers() >= 4; }));
 
-  EvaluateGenomes::Request request = toRequest({}, shortLife(), engineFingerprint());
+  EvaluateGenomes::Request request = requestFor({}, shortLife(), engineFingerprint());
   request.quarantine = "its evaluation of robot 3/17 has state hash 8";
   EXPECT_EQ(ask("wrong", request).error, "");
   ASSERT_TRUE(eventually([&] { return !errors.empty(); }));
   const std::string reason = "quarantined by " + ros::this_node::getName() + ": " + request.quarantine;
   EXPECT_EQ(errors[0].msg.find(reason + ". This simulator evaluates nothing any more."), 0u) << errors[0].msg;
 
-  const auto response = ask("wrong", toRequest(robots(1, shortLife()), shortLife(), 0));
+  const auto response = ask("wrong", requestFor(robots(1, shortLife()), shortLife(), 0));
   EXPECT_EQ(response.error, "this simulator was " + reason);
   EXPECT_TRUE(response.evaluations.empty());
   const auto before = heard_["/farm/wrong"].header.stamp;
@@ -364,7 +364,7 @@ TEST_F(SimulatorTest, ASimulatorThatWasTakenOffTheMastersBooksRegistersAgain)
   DepartedNodes("/farm/simulators", 1).check(std::set<std::string>{ "/farm/best", "/farm/wrong" });
   EXPECT_EQ(registeredSimulators().count("/farm/scalar"), 0u);
   EXPECT_TRUE(eventually([&] { return registeredSimulators() == all; }));
-  EXPECT_EQ(ask("scalar", toRequest({}, shortLife(), engineFingerprint())).error, "");
+  EXPECT_EQ(ask("scalar", requestFor({}, shortLife(), engineFingerprint())).error, "");
 }
 
 TEST(SignsOfLife, LastAsLongAsTheyAreSaidTo)
