@@ -16,6 +16,7 @@ on a ROS master of its own, which only this machine can reach. Ctrl-C stops it;
 the same command goes on where it stopped.
 
 Arguments and their defaults:
+    body:=soft                     soft | rigid: the quadruped of Fig S5
     treatment:=evo_devo            evo | evo_devo
     profile:=paper                 paper | released_code
     trials:=1                      independent trials, side by side

@@ -9,6 +9,7 @@ find_package(GTest REQUIRED)
 include(GoogleTest)
 
 file(GLOB unit_tests CONFIGURE_DEPENDS test/soft_body/test_*.cpp test/rigid_body/test_*.cpp test/evolution/test_*.cpp
+  test/bodies/test_*.cpp
   test/archive/test_*.cpp test/farm/test_*.cpp test/experiment/test_*.cpp test/study/test_*.cpp test/render/test_*.cpp
   test/verification/test_*.cpp test/interchange/test_*.cpp test/explanation/test_*.cpp test/picture/test_*.cpp
   test/cli/test_*.cpp)

@@ -1,5 +1,6 @@
 #include "devo_evo/archive/archive.h"
 
+#include "archive/experiment_tables.h"
 #include "archive/output_folder.h"
 #include "archive/schema.h"
 #include "archive/settings_table.h"
@@ -27,8 +28,9 @@ ExperimentSettings extendedByCommitted(Connection& connection, ExperimentSetting
 void begin(Connection& connection, const ExperimentSettings& settings, const Provenance& provenance)
 {
   SQLite::Transaction transaction(connection.database(), SQLite::TransactionBehavior::IMMEDIATE);
-  const bool is_new = createSchema(connection);
-  addLaterTables(connection);
+  const std::shared_ptr<const Body> body = makeBody(settings.body);
+  const bool is_new = createSchema(connection, experimentFile(), experimentTables(*body));
+  addLaterTables(connection, *body);
   if (!is_new)
   {
     checkResumable(connection, settings);

@@ -38,6 +38,14 @@ public:
   Query(const Query&) = delete;
   Query& operator=(const Query&) = delete;
 
+  /// Binds the next parameter.
+  template <class Value>
+  Query& with(const Value& value)
+  {
+    bind(value);
+    return *this;
+  }
+
   /// Goes to the next row. @return false if there is none.
   bool next();
 

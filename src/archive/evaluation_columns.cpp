@@ -8,37 +8,70 @@ namespace devo_evo
 {
 namespace
 {
-/// SQLite does not keep the sign of zero: it is dropped here, where one can see it.
-double withoutNegativeZero(double value)
+void bindMeasure(Query& query, const Measure& measure, const Evaluation& evaluation)
 {
-  return value + 0.0;
+  const double value = measure.get(evaluation);
+  if (measure.whole)
+  {
+    query.with(std::isnan(value) ? std::nullopt : std::optional<int64_t>(static_cast<int64_t>(value)));
+  }
+  else
+  {
+    query.with(value + 0.0);  // SQLite does not keep the sign of zero: it is dropped here, where one can see it
+  }
 }
 
-std::optional<double> withoutNegativeZero(const std::optional<double>& value)
+double readMeasure(Query& query, const Measure& measure)
 {
-  return value ? std::optional<double>(withoutNegativeZero(*value)) : std::nullopt;
+  if (!measure.whole)
+  {
+    return query.real();
+  }
+  const auto value = query.optionalNatural();
+  return value ? static_cast<double>(*value) : Evaluation::NONE;
 }
-
 }  // namespace
 
-EvaluationValues evaluationValues(const Evaluation& evaluation)
+std::string evaluationColumns(const Body& body)
 {
-  const auto& divergence = evaluation.divergence;
-  return { evaluation.valid ? 1 : 0,
-           withoutNegativeZero(evaluation.fitness),
-           withoutNegativeZero(evaluation.displacement_y_voxels),
-           withoutNegativeZero(evaluation.displacement_xy_voxels),
-           withoutNegativeZero(evaluation.first_top_contact_since_birth_s),
-           withoutNegativeZero(evaluation.fell_over_since_birth_s),
-           withoutNegativeZero(evaluation.turns),
-           withoutNegativeZero(evaluation.airborne_fraction),
-           evaluation.valid ? std::optional<Blob>(hashToBytes(evaluation.state_hash)) : std::nullopt,
-           divergence ? std::optional<int64_t>(divergence->step) : std::nullopt,
-           divergence ? std::optional<int64_t>(divergence->bond) : std::nullopt,
-           divergence ? std::optional<double>(divergence->strain) : std::nullopt };
+  std::string columns = "valid, fitness";
+  for (const Measure& measure : body.measures())
+  {
+    columns += ", " + measure.name;
+  }
+  columns += ", state_hash";
+  for (const Measure& measure : body.failureMeasures())
+  {
+    columns += ", " + measure.name;
+  }
+  return columns;
 }
 
-Evaluation readEvaluation(Query& query)
+std::string evaluationMarks(const Body& body)
+{
+  std::string marks = "?, ?, ?";
+  for (size_t i = 0; i < body.measures().size() + body.failureMeasures().size(); ++i)
+  {
+    marks += ", ?";
+  }
+  return marks;
+}
+
+void bindEvaluation(Query& query, const Body& body, const Evaluation& evaluation)
+{
+  query.with(evaluation.valid ? 1 : 0).with(evaluation.fitness + 0.0);
+  for (const Measure& measure : body.measures())
+  {
+    bindMeasure(query, measure, evaluation);
+  }
+  query.with(evaluation.valid ? std::optional<Blob>(hashToBytes(evaluation.state_hash)) : std::nullopt);
+  for (const Measure& measure : body.failureMeasures())
+  {
+    bindMeasure(query, measure, evaluation);
+  }
+}
+
+Evaluation readEvaluation(Query& query, const Body& body)
 {
   Evaluation evaluation;
   evaluation.valid = query.natural() != 0;
@@ -47,22 +80,25 @@ Evaluation readEvaluation(Query& query)
   {
     throw DamagedArchive("a valid individual has no fitness, or an invalid one has");
   }
-  evaluation.displacement_y_voxels = query.real();
-  evaluation.displacement_xy_voxels = query.real();
-  evaluation.first_top_contact_since_birth_s = query.optionalReal();
-  evaluation.fell_over_since_birth_s = query.optionalReal();
-  evaluation.turns = query.real();
-  evaluation.airborne_fraction = query.real();
+  for (const Measure& measure : body.measures())
+  {
+    const double value = readMeasure(query, measure);
+    if (evaluation.valid)
+    {
+      measure.set(evaluation, value);
+    }
+  }
   if (const auto state_hash = query.optionalBlob(sizeof(uint64_t)))
   {
     evaluation.state_hash = hashFromBytes(*state_hash);
   }
-  const auto step = query.optionalNatural();
-  const auto bond = query.optionalNatural();
-  const double strain = query.real();
-  if (!evaluation.valid)
+  for (const Measure& measure : body.failureMeasures())
   {
-    evaluation.divergence = Divergence{ step.value_or(0), static_cast<int>(bond.value_or(0)), strain };
+    const double value = readMeasure(query, measure);
+    if (!evaluation.valid && !(measure.whole && std::isnan(value)))
+    {
+      measure.set(evaluation, value);
+    }
   }
   return evaluation;
 }

@@ -5,7 +5,7 @@
 
 namespace devo_evo
 {
-void writeFounders(Connection& connection, const EvolutionSettings& settings)
+void writeFounders(Connection& connection, const EvolutionSettings& settings, const GenomeLayout& layout)
 {
   if (!settings.founders)
   {
@@ -16,30 +16,26 @@ void writeFounders(Connection& connection, const EvolutionSettings& settings)
   {
     const GenomeBlobs blobs(founder);
     connection
-        .query(
-            "INSERT OR REPLACE INTO founders (id, size_gene_initial, size_gene_final, phase_initial, phase_final, "
-            "mutation_rate) VALUES (?, ?, ?, ?, ?, ?)",
-            id++, blobs.size_gene_initial, blobs.size_gene_final, blobs.phase_initial, blobs.phase_final,
-            blobs.mutation_rate)
+        .query("INSERT OR REPLACE INTO founders (id, " + genomeColumns(layout) + ") VALUES (?, ?, ?, ?, ?, ?)", id++,
+               blobs.morphology_initial, blobs.morphology_final, blobs.control_initial, blobs.control_final,
+               blobs.mutation_rate)
         .run();
   }
 }
 
-std::shared_ptr<const std::vector<Genome>> readFounders(Connection& connection, int voxel_count)
+std::shared_ptr<const std::vector<Genome>> readFounders(Connection& connection, const GenomeLayout& layout)
 {
   auto founders = std::make_shared<std::vector<Genome>>();
   if (hasTable(connection, "founders"))
   {
-    Query query = connection.query(
-        "SELECT id, size_gene_initial, size_gene_final, phase_initial, phase_final, mutation_rate "
-        "FROM founders ORDER BY id");
+    Query query = connection.query("SELECT id, " + genomeColumns(layout) + " FROM founders ORDER BY id");
     while (query.next())
     {
       if (query.natural() != static_cast<int64_t>(founders->size()))
       {
         throw DamagedArchive("founder " + std::to_string(founders->size()) + " is missing");
       }
-      founders->push_back(readGenome(query, voxel_count));
+      founders->push_back(readGenome(query, layout));
     }
   }
   return founders->empty() ? nullptr : founders;

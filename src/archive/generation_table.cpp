@@ -52,14 +52,14 @@ void checkFollows(Connection& connection, const GenerationRecord& record)
 }
 
 /// Keeps the genomes of newcomers who survive, drops those of which no living individual descends any more.
-void updateGenomes(Connection& connection, const GenerationRecord& record)
+void updateGenomes(Connection& connection, const GenerationRecord& record, const GenomeLayout& layout)
 {
   const std::set<int64_t> living(record.survivors.begin(), record.survivors.end());
   for (const Individual& newcomer : record.newcomers)
   {
     if (living.count(newcomer.id) != 0)
     {
-      insertGenome(connection, newcomer);
+      insertGenome(connection, newcomer, layout);
     }
   }
   std::vector<int64_t> dead;
@@ -74,13 +74,13 @@ void updateGenomes(Connection& connection, const GenerationRecord& record)
 }
 }  // namespace
 
-void insertGeneration(Connection& connection, const GenerationRecord& record, double phase_limit)
+void insertGeneration(Connection& connection, const GenerationRecord& record, const ArchivedBody& body)
 {
   checkNewcomers(record);
   checkFollows(connection, record);
   for (const Individual& newcomer : record.newcomers)
   {
-    insertIndividual(connection, newcomer, phase_limit);
+    insertIndividual(connection, newcomer, body);
   }
   connection
       .query(
@@ -96,7 +96,7 @@ void insertGeneration(Connection& connection, const GenerationRecord& record, do
                record.generation, ++rank, id)
         .run();
   }
-  updateGenomes(connection, record);
+  updateGenomes(connection, record, body.layout);
 }
 
 std::vector<int64_t> findTrials(Connection& connection)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "archive/archived_body.h"
 #include "archive/connection.h"
 
 #include <optional>
@@ -8,9 +9,8 @@
 namespace devo_evo
 {
 /// Writes the generation's rows and those of its newcomers, and updates which genomes are kept.
-/// @param phase_limit EvolutionSettings::phaseLimit().
 /// @throw std::logic_error unless it is complete and follows the trial's last.
-void insertGeneration(Connection& connection, const GenerationRecord& record, double phase_limit);
+void insertGeneration(Connection& connection, const GenerationRecord& record, const ArchivedBody& body);
 
 /// Numbers of the trials that have a generation, ascending.
 std::vector<int64_t> findTrials(Connection& connection);

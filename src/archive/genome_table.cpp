@@ -24,20 +24,20 @@ struct Ancestor
 };
 
 /// From the individual to its oldest ancestor, or to the first whose genome is stored.
-std::vector<Ancestor> collectAncestors(Connection& connection, int voxel_count, int64_t trial, int64_t id,
+std::vector<Ancestor> collectAncestors(Connection& connection, const ArchivedBody& body, int64_t trial, int64_t id,
                                        bool all_ancestors)
 {
   std::vector<Ancestor> ancestors;
-  std::optional<ArchivedIndividual> row = findIndividual(connection, trial, id);
+  std::optional<ArchivedIndividual> row = findIndividual(connection, *body.body, trial, id);
   while (row)
   {
-    ancestors.push_back({ *row, findGenome(connection, trial, row->individual.id, voxel_count) });
+    ancestors.push_back({ *row, findGenome(connection, trial, row->individual.id, body.layout) });
     const int64_t parent = row->individual.parent;
     if (parent == Individual::NO_PARENT || (ancestors.back().stored && !all_ancestors))
     {
       break;
     }
-    row = readIndividualRow(connection, trial, parent);
+    row = readIndividualRow(connection, *body.body, trial, parent);
   }
   return ancestors;
 }
@@ -45,7 +45,7 @@ std::vector<Ancestor> collectAncestors(Connection& connection, int voxel_count, 
 /// Gives an individual the genome that is stored, or else the one that its birth gives again.
 /// @param parent nullptr if it has none; without genome if that is not known.
 void setGenome(ArchivedIndividual& archived, const Ancestor& ancestor, const ArchivedIndividual* parent,
-               const EvolutionSettings& settings, const Lattice& lattice)
+               const EvolutionSettings& settings, const GenomeLayout& layout)
 {
   Individual& individual = archived.individual;
   if (ancestor.stored)
@@ -54,7 +54,7 @@ void setGenome(ArchivedIndividual& archived, const Ancestor& ancestor, const Arc
   }
   else if (!parent || parent->has_genome)
   {
-    individual.genome = bornGenome(settings, lattice, individual.trial, individual.generation, individual.id,
+    individual.genome = bornGenome(settings, layout, individual.trial, individual.generation, individual.id,
                                    parent ? &parent->individual.genome : nullptr);
   }
   archived.has_genome = genomeHash(individual.genome) == archived.genome_hash;
@@ -70,11 +70,11 @@ void setGenome(ArchivedIndividual& archived, const Ancestor& ancestor, const Arc
 }
 
 /// Descendants are made again from stored genomes, which therefore have to fit the settings.
-void checkGenome(const Individual& individual, const ExperimentSettings& settings)
+void checkGenome(const Individual& individual, const EvolutionSettings& settings, const GenomeLayout& layout)
 {
   try
   {
-    validate(individual.genome, settings.evolution, settings.body);
+    validate(individual.genome, settings, layout);
   }
   catch (const InvalidInput& error)
   {
@@ -84,10 +84,10 @@ void checkGenome(const Individual& individual, const ExperimentSettings& setting
 }  // namespace
 
 GenomeBlobs::GenomeBlobs(const Genome& genome)
-  : size_gene_initial(numbersToBytes(genome.program.size_gene_initial))
-  , size_gene_final(unlessEqual(genome.program.size_gene_final, size_gene_initial))
-  , phase_initial(numbersToBytes(genome.program.phase_initial))
-  , phase_final(unlessEqual(genome.program.phase_final, phase_initial))
+  : morphology_initial(numbersToBytes(genome.program.morphology_initial))
+  , morphology_final(unlessEqual(genome.program.morphology_final, morphology_initial))
+  , control_initial(numbersToBytes(genome.program.control_initial))
+  , control_final(unlessEqual(genome.program.control_final, control_initial))
 {
   if (!genome.mutation_rate.empty())
   {
@@ -95,41 +95,47 @@ GenomeBlobs::GenomeBlobs(const Genome& genome)
   }
 }
 
-Genome readGenome(Query& query, int voxel_count)
+std::string genomeColumns(const GenomeLayout& layout)
 {
-  const size_t size = sizeof(double) * static_cast<size_t>(voxel_count);
+  const GenomePart& morphology = layout.morphology;
+  const GenomePart& control = layout.control;
+  return morphology.initialName() + ", " + morphology.finalName() + ", " + control.initialName() + ", " +
+         control.finalName() + ", mutation_rate";
+}
+
+Genome readGenome(Query& query, const GenomeLayout& layout)
+{
+  const size_t morphology_size = sizeof(double) * layout.morphology.size;
+  const size_t control_size = sizeof(double) * layout.control.size;
   Genome genome;
   DevelopmentalProgram& program = genome.program;
-  const Blob size_gene_initial = query.blob(size);
-  program.size_gene_initial = numbersFromBytes(size_gene_initial);
-  program.size_gene_final = numbersFromBytes(query.optionalBlob(size).value_or(size_gene_initial));
-  const Blob phase_initial = query.blob(size);
-  program.phase_initial = numbersFromBytes(phase_initial);
-  program.phase_final = numbersFromBytes(query.optionalBlob(size).value_or(phase_initial));
-  genome.mutation_rate = numbersFromBytes(query.optionalBlob(size).value_or(Blob()));
+  const Blob morphology_initial = query.blob(morphology_size);
+  program.morphology_initial = numbersFromBytes(morphology_initial);
+  program.morphology_final = numbersFromBytes(query.optionalBlob(morphology_size).value_or(morphology_initial));
+  const Blob control_initial = query.blob(control_size);
+  program.control_initial = numbersFromBytes(control_initial);
+  program.control_final = numbersFromBytes(query.optionalBlob(control_size).value_or(control_initial));
+  genome.mutation_rate = numbersFromBytes(query.optionalBlob(morphology_size).value_or(Blob()));
   return genome;
 }
 
-void insertGenome(Connection& connection, const Individual& individual)
+void insertGenome(Connection& connection, const Individual& individual, const GenomeLayout& layout)
 {
   const GenomeBlobs blobs(individual.genome);
   connection
-      .query(
-          "INSERT INTO genomes (trial, id, parent, size_gene_initial, size_gene_final, phase_initial, phase_final, "
-          "mutation_rate) VALUES (?, ?, ?, ?, ?, ?, ?, ?)",
-          individual.trial, individual.id,
-          individual.parent == Individual::NO_PARENT ? std::nullopt : std::optional<int64_t>(individual.parent),
-          blobs.size_gene_initial, blobs.size_gene_final, blobs.phase_initial, blobs.phase_final, blobs.mutation_rate)
+      .query("INSERT INTO genomes (trial, id, parent, " + genomeColumns(layout) + ") VALUES (?, ?, ?, ?, ?, ?, ?, ?)",
+             individual.trial, individual.id,
+             individual.parent == Individual::NO_PARENT ? std::nullopt : std::optional<int64_t>(individual.parent),
+             blobs.morphology_initial, blobs.morphology_final, blobs.control_initial, blobs.control_final,
+             blobs.mutation_rate)
       .run();
 }
 
-std::optional<Genome> findGenome(Connection& connection, int64_t trial, int64_t id, int voxel_count)
+std::optional<Genome> findGenome(Connection& connection, int64_t trial, int64_t id, const GenomeLayout& layout)
 {
-  Query query = connection.query(
-      "SELECT size_gene_initial, size_gene_final, phase_initial, phase_final, mutation_rate "
-      "FROM genomes WHERE trial = ? AND id = ?",
-      trial, id);
-  return query.next() ? std::optional<Genome>(readGenome(query, voxel_count)) : std::nullopt;
+  Query query =
+      connection.query("SELECT " + genomeColumns(layout) + " FROM genomes WHERE trial = ? AND id = ?", trial, id);
+  return query.next() ? std::optional<Genome>(readGenome(query, layout)) : std::nullopt;
 }
 
 void pruneGenomes(Connection& connection, int64_t trial, const std::vector<int64_t>& dead,
@@ -152,9 +158,9 @@ void pruneGenomes(Connection& connection, int64_t trial, const std::vector<int64
 }
 
 std::vector<ArchivedIndividual> readDescent(Connection& connection, const ExperimentSettings& settings,
-                                            const Lattice& lattice, int64_t trial, int64_t id, bool all_ancestors)
+                                            const ArchivedBody& body, int64_t trial, int64_t id, bool all_ancestors)
 {
-  std::vector<Ancestor> ancestors = collectAncestors(connection, lattice.voxelCount(), trial, id, all_ancestors);
+  std::vector<Ancestor> ancestors = collectAncestors(connection, body, trial, id, all_ancestors);
   std::reverse(ancestors.begin(), ancestors.end());
   std::vector<ArchivedIndividual> descent;
   descent.reserve(ancestors.size());
@@ -162,10 +168,10 @@ std::vector<ArchivedIndividual> readDescent(Connection& connection, const Experi
   {
     const ArchivedIndividual* parent = descent.empty() ? nullptr : &descent.back();
     ArchivedIndividual archived = ancestor.archived;
-    setGenome(archived, ancestor, parent, settings.evolution, lattice);
+    setGenome(archived, ancestor, parent, settings.evolution, body.layout);
     if (ancestor.stored)
     {
-      checkGenome(archived.individual, settings);
+      checkGenome(archived.individual, settings.evolution, body.layout);
     }
     descent.push_back(std::move(archived));
   }

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "archive/archived_body.h"
 #include "archive/connection.h"
-#include "devo_evo/soft_body/lattice.h"
 
 #include <optional>
 #include <set>
@@ -14,21 +14,23 @@ struct GenomeBlobs
 {
   explicit GenomeBlobs(const Genome& genome);
 
-  Blob size_gene_initial;
-  std::optional<Blob> size_gene_final;  ///< none: as size_gene_initial
-  Blob phase_initial;
-  std::optional<Blob> phase_final;    ///< none: as phase_initial
+  Blob morphology_initial;
+  std::optional<Blob> morphology_final;  ///< none: as morphology_initial
+  Blob control_initial;
+  std::optional<Blob> control_final;  ///< none: as control_initial
   std::optional<Blob> mutation_rate;  ///< none: no part of the genome
 };
 
-/// The next five columns, in the order of GenomeBlobs.
-/// @throw DamagedArchive if an array does not fit a body of `voxel_count` voxels.
-Genome readGenome(Query& query, int voxel_count);
+/// The columns that hold a genome, in the order of GenomeBlobs: "size_gene_initial, ..., mutation_rate".
+std::string genomeColumns(const GenomeLayout& layout);
 
-void insertGenome(Connection& connection, const Individual& individual);
+/// The next five columns, in the order of GenomeBlobs. @throw DamagedArchive if an array does not fit the layout.
+Genome readGenome(Query& query, const GenomeLayout& layout);
 
-/// @return none if it is not stored. @throw DamagedArchive if its arrays do not fit a body of `voxel_count` voxels.
-std::optional<Genome> findGenome(Connection& connection, int64_t trial, int64_t id, int voxel_count);
+void insertGenome(Connection& connection, const Individual& individual, const GenomeLayout& layout);
+
+/// @return none if it is not stored. @throw DamagedArchive if its arrays do not fit the layout.
+std::optional<Genome> findGenome(Connection& connection, int64_t trial, int64_t id, const GenomeLayout& layout);
 
 /// Deletes the genomes of the dead, and of those of their ancestors who have no living descendant any more.
 void pruneGenomes(Connection& connection, int64_t trial, const std::vector<int64_t>& dead,
@@ -40,5 +42,5 @@ void pruneGenomes(Connection& connection, int64_t trial, const std::vector<int64
 /// @return oldest first; none if there is no such individual.
 /// @throw DamagedArchive if a stored genome has another hash than at birth, or is none of these settings.
 std::vector<ArchivedIndividual> readDescent(Connection& connection, const ExperimentSettings& settings,
-                                            const Lattice& lattice, int64_t trial, int64_t id, bool all_ancestors);
+                                            const ArchivedBody& body, int64_t trial, int64_t id, bool all_ancestors);
 }  // namespace devo_evo

@@ -6,7 +6,7 @@ namespace devo_evo
 {
 namespace
 {
-ArchivedIndividual readRow(Query& query, int64_t trial)
+ArchivedIndividual readRow(Query& query, const Body& body, int64_t trial)
 {
   ArchivedIndividual archived;
   Individual& individual = archived.individual;
@@ -19,7 +19,7 @@ ArchivedIndividual readRow(Query& query, int64_t trial)
   archived.control_window = query.real();
   archived.phenotype_hash = query.hash();
   archived.genome_hash = query.hash();
-  individual.evaluation = readEvaluation(query);
+  individual.evaluation = readEvaluation(query, body);
   if (individual.parent >= individual.id || individual.age > individual.generation)
   {
     throw DamagedArchive("individual " + individualName(trial, individual.id) +
@@ -29,33 +29,30 @@ ArchivedIndividual readRow(Query& query, int64_t trial)
 }
 }  // namespace
 
-void insertIndividual(Connection& connection, const Individual& individual, double phase_limit)
+void insertIndividual(Connection& connection, const Individual& individual, const ArchivedBody& body)
 {
   const DevelopmentalProgram& program = individual.genome.program;
-  const auto insert = [&](const auto&... values)
-  {
-    connection
-        .query("INSERT INTO individuals (trial, id, parent, generation, age, " DEVO_EVO_EVALUATION_COLUMNS
-               ", morphology_window, control_window, phenotype_hash, genome_hash) "
-               "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
-               individual.trial, individual.id,
-               individual.parent == Individual::NO_PARENT ? std::nullopt : std::optional<int64_t>(individual.parent),
-               individual.generation, individual.age, values..., morphologyWindow(program),
-               controlWindow(program, phase_limit), phenotypeHash(program), genomeHash(individual.genome))
-        .run();
-  };
-  std::apply(insert, evaluationValues(individual.evaluation.value()));
+  Query query = connection.query(
+      "INSERT INTO individuals (trial, id, parent, generation, age, morphology_window, control_window, phenotype_hash, "
+      "genome_hash, " +
+          evaluationColumns(*body.body) + ") VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, " + evaluationMarks(*body.body) + ")",
+      individual.trial, individual.id,
+      individual.parent == Individual::NO_PARENT ? std::nullopt : std::optional<int64_t>(individual.parent),
+      individual.generation, individual.age, morphologyWindow(program, body.layout),
+      controlWindow(program, body.layout), phenotypeHash(program), genomeHash(individual.genome));
+  bindEvaluation(query, *body.body, individual.evaluation.value());
+  query.run();
 }
 
-std::optional<ArchivedIndividual> findIndividual(Connection& connection, int64_t trial, int64_t id)
+std::optional<ArchivedIndividual> findIndividual(Connection& connection, const Body& body, int64_t trial, int64_t id)
 {
-  auto found = findIndividuals(connection, trial, id, 1);
+  auto found = findIndividuals(connection, body, trial, id, 1);
   return found.empty() ? std::nullopt : std::optional<ArchivedIndividual>(std::move(found.front()));
 }
 
-ArchivedIndividual readIndividualRow(Connection& connection, int64_t trial, int64_t id)
+ArchivedIndividual readIndividualRow(Connection& connection, const Body& body, int64_t trial, int64_t id)
 {
-  auto row = findIndividual(connection, trial, id);
+  auto row = findIndividual(connection, body, trial, id);
   if (!row)
   {
     throw DamagedArchive("individual " + individualName(trial, id) + " is missing");
@@ -63,26 +60,26 @@ ArchivedIndividual readIndividualRow(Connection& connection, int64_t trial, int6
   return *std::move(row);
 }
 
-std::vector<ArchivedIndividual> findIndividuals(Connection& connection, int64_t trial, int64_t first_id, int64_t count)
+std::vector<ArchivedIndividual> findIndividuals(Connection& connection, const Body& body, int64_t trial,
+                                                int64_t first_id, int64_t count)
 {
   Query query = connection.query(
-      "SELECT id, parent, generation, age, morphology_window, control_window, phenotype_hash, "
-      "genome_hash, " DEVO_EVO_EVALUATION_COLUMNS
-      " FROM individuals WHERE trial = ? AND id BETWEEN ? AND ? ORDER BY id",
+      "SELECT id, parent, generation, age, morphology_window, control_window, phenotype_hash, genome_hash, " +
+          evaluationColumns(body) + " FROM individuals WHERE trial = ? AND id BETWEEN ? AND ? ORDER BY id",
       trial, first_id, first_id + (count - 1));
   std::vector<ArchivedIndividual> found;
   while (query.next())
   {
-    found.push_back(readRow(query, trial));
+    found.push_back(readRow(query, body, trial));
   }
   return found;
 }
 
-std::optional<Evaluation> findEvaluationOf(Connection& connection, const Hash128& phenotype_hash)
+std::optional<Evaluation> findEvaluationOf(Connection& connection, const Body& body, const Hash128& phenotype_hash)
 {
   Query query = connection.query(
-      "SELECT " DEVO_EVO_EVALUATION_COLUMNS " FROM individuals WHERE phenotype_hash = ? LIMIT 1", phenotype_hash);
-  return query.next() ? std::optional<Evaluation>(readEvaluation(query)) : std::nullopt;
+      "SELECT " + evaluationColumns(body) + " FROM individuals WHERE phenotype_hash = ? LIMIT 1", phenotype_hash);
+  return query.next() ? std::optional<Evaluation>(readEvaluation(query, body)) : std::nullopt;
 }
 
 int64_t findNextId(Connection& connection, int64_t trial)

@@ -33,98 +33,6 @@ CREATE TABLE starts (  -- each time that an evolver opened this archive: where r
 );
 )";
 
-const char* const EXPERIMENT_TABLES = R"(
-CREATE TABLE individuals (  -- everybody who ever lived
-  trial             INTEGER NOT NULL,
-  id                INTEGER NOT NULL,  -- counts up from 0 within the trial, in order of birth
-  parent            INTEGER,           -- id; NULL: random
-  generation        INTEGER NOT NULL,  -- of birth
-  age               INTEGER NOT NULL,  -- at birth: generations since the oldest ancestor was random
-  valid             INTEGER NOT NULL CHECK (valid IN (0, 1)),  -- 0: the simulation diverged, and has no results
-  fitness                        REAL CHECK ((fitness IS NOT NULL) = valid),  -- displacement along +y [body lengths]
-  displacement_y_voxels          REAL,  -- the same [voxels]
-  displacement_xy_voxels         REAL,  -- distance in the horizontal plane [voxels]
-  first_top_contact_since_birth_s REAL, -- first touch of the floor by the top layer [s]; NULL: never
-  fell_over_since_birth_s        REAL,  -- first time that more top voxels touch than others [s]; NULL: never
-  turns                          REAL,  -- about the lateral axis +x [full turns]
-  airborne_fraction              REAL,  -- share of the lifetime without touching the floor [1]
-  morphology_window              REAL NOT NULL,  -- W_L [1, 0 to 1]
-  control_window                 REAL NOT NULL,  -- W_Phi [1, 0 to 1]
-  divergence_step   INTEGER,  -- at which it was found, from 1; NULL if valid
-  divergence_bond   INTEGER,  -- in the order of docs/physics.md; NULL if valid
-  divergence_strain REAL,     -- of that bond [1]; NULL if valid or not a number
-  state_hash        BLOB CHECK (state_hash IS NULL OR length(state_hash) = 8),  -- of the final state; NULL if invalid
-  phenotype_hash    BLOB NOT NULL CHECK (length(phenotype_hash) = 16),  -- of the developmental program
-  genome_hash       BLOB NOT NULL CHECK (length(genome_hash) = 16),     -- of program and mutation rates
-  PRIMARY KEY (trial, id)
-) WITHOUT ROWID;
-CREATE INDEX individuals_by_phenotype ON individuals (phenotype_hash);
-
-CREATE TABLE genomes (  -- of the living and their ancestors; arrays of little-endian doubles, one per voxel
-  number             INTEGER PRIMARY KEY,  -- of no meaning
-  trial              INTEGER NOT NULL,
-  id                 INTEGER NOT NULL,
-  parent             INTEGER,        -- id; NULL: random
-  size_gene_initial  BLOB NOT NULL,  -- [1, -1 to 1], voxel x + grid_x * (y + grid_y * z)
-  size_gene_final    BLOB,           -- [1, -1 to 1]; NULL: as size_gene_initial
-  phase_initial      BLOB NOT NULL,  -- [cycles]
-  phase_final        BLOB,           -- [cycles]; NULL: as phase_initial
-  mutation_rate      BLOB            -- [1, 1/48 to 1]; NULL: not part of the genome
-);
-CREATE UNIQUE INDEX genomes_by_id ON genomes (trial, id);
-CREATE INDEX genomes_by_parent ON genomes (trial, parent);
-
-CREATE TABLE generations (  -- that are finished
-  trial          INTEGER NOT NULL,
-  generation     INTEGER NOT NULL,  -- from 0
-  champion       INTEGER NOT NULL,  -- id of the best valid survivor; of the first survivor if none is valid
-  best_fitness   REAL,  -- the champion's [body lengths]; NULL: no survivor is valid
-  median_fitness REAL,  -- of the valid survivors [body lengths]; NULL: there is none
-  PRIMARY KEY (trial, generation)
-) WITHOUT ROWID;
-
-CREATE TABLE survivors (  -- the population after selection
-  trial      INTEGER NOT NULL,
-  generation INTEGER NOT NULL,
-  rank       INTEGER NOT NULL,  -- from 1, the champion's
-  id         INTEGER NOT NULL,
-  PRIMARY KEY (trial, generation, rank)
-) WITHOUT ROWID;
-
-CREATE VIEW champions AS  -- the best robot of each generation, with its age in that generation
-  SELECT g.trial, g.generation, g.champion AS id, i.age + g.generation - i.generation AS age, i.fitness,
-         g.median_fitness, i.morphology_window, i.control_window
-  FROM generations AS g JOIN individuals AS i ON i.trial = g.trial AND i.id = g.champion;
-)";
-
-// Tables that archives from before have not: made when one is opened for writing, taken as empty when one is read.
-const char* const LATER_TABLES = R"(
-CREATE TABLE IF NOT EXISTS stops (  -- when an evolver closed this archive; none for one that was killed
-  start       INTEGER PRIMARY KEY,  -- starts.number
-  time_utc    TEXT NOT NULL,        -- 2018-04-17T12:34:56Z
-  generations INTEGER NOT NULL      -- finished in all trials by then
-);
-
-CREATE TABLE IF NOT EXISTS evaluators (  -- simulators' machines, by start; none if the evolver simulated by itself
-  start           INTEGER NOT NULL,  -- starts.number
-  host            TEXT NOT NULL,
-  processor       TEXT NOT NULL,     -- '' if not known
-  instruction_set TEXT NOT NULL,
-  version         TEXT NOT NULL,     -- of devo_evo
-  evaluations     INTEGER NOT NULL,  -- of robots, that were used
-  PRIMARY KEY (start, host, processor, instruction_set, version)
-) WITHOUT ROWID;
-
-CREATE TABLE IF NOT EXISTS founders (  -- genomes that every trial started with; arrays as in genomes
-  id                 INTEGER PRIMARY KEY,  -- in each trial; founders beyond are random
-  size_gene_initial  BLOB NOT NULL,
-  size_gene_final    BLOB,  -- NULL: as size_gene_initial
-  phase_initial      BLOB NOT NULL,
-  phase_final        BLOB,  -- NULL: as phase_initial
-  mutation_rate      BLOB   -- NULL: not part of the genome
-);
-)";
-
 int64_t pragma(Connection& connection, const std::string& name)
 {
   return connection.database().execAndGet("PRAGMA " + name).getInt64();
@@ -183,7 +91,7 @@ void undoWhatAKilledWriterBegan(const std::string& path)
 
 const FileKind& experimentFile()
 {
-  static const FileKind kind = { 0x6465766f, 1, EXPERIMENT_TABLES, "experiment" };
+  static const FileKind kind = { 0x6465766f, 1, "experiment" };
   return kind;
 }
 
@@ -255,23 +163,14 @@ bool hasColumn(Connection& connection, const std::string& table, const std::stri
   return connection.query("SELECT 1 FROM pragma_table_info(?) WHERE name = ?", table, column).next();
 }
 
-void addLaterTables(Connection& connection)
-{
-  connection.database().exec(LATER_TABLES);
-  if (!hasColumn(connection, "starts", "ros"))
-  {
-    connection.database().exec("ALTER TABLE starts ADD COLUMN ros TEXT NOT NULL DEFAULT ''");
-  }
-}
-
-bool createSchema(Connection& connection, const FileKind& kind)
+bool createSchema(Connection& connection, const FileKind& kind, const std::string& tables)
 {
   if (!isEmpty(connection))
   {
     return false;
   }
   connection.database().exec(SHARED_TABLES);
-  connection.database().exec(kind.tables);
+  connection.database().exec(tables);
   connection.database().exec("PRAGMA application_id = " + std::to_string(kind.application_id));
   connection.database().exec("PRAGMA user_version = " + std::to_string(kind.version));
   return true;

@@ -11,7 +11,6 @@ struct FileKind
 {
   int64_t application_id;  ///< marks it as ours, and of this kind
   int64_t version;         ///< of its tables
-  const char* tables;      ///< SQL that makes the others
   std::string name;        ///< of what it holds, for messages
 };
 
@@ -34,11 +33,9 @@ Connection connectForReading(const std::string& path);
 /// which is as good as none. @throw ArchiveError if it cannot be read.
 bool hasBegun(const std::string& path);
 
-/// Makes the tables in a new file. @return false if there are tables already.
-bool createSchema(Connection& connection, const FileKind& kind = experimentFile());
-
-/// Adds to an experiment's file what those from before have not.
-void addLaterTables(Connection& connection);
+/// Makes the tables in a new file. @param tables SQL that makes those besides the shared ones.
+/// @return false if there are tables already.
+bool createSchema(Connection& connection, const FileKind& kind, const std::string& tables);
 
 /// Archives from before have neither all tables nor all columns.
 bool hasTable(Connection& connection, const std::string& table);

@@ -1,5 +1,6 @@
 #include "archive/settings_table.h"
 
+#include "archive/archived_body.h"
 #include "archive/founder_table.h"
 #include "devo_evo/experiment/parameters.h"
 #include "devo_evo/soft_body/text.h"
@@ -55,7 +56,7 @@ ExperimentSettings readSettings(Connection& connection)
     throw DamagedArchive(error.what());
   }
   parameters.experiment.output.clear();
-  parameters.experiment.evolution.founders = readFounders(connection, parameters.experiment.body.voxelCount());
+  parameters.experiment.evolution.founders = readFounders(connection, ArchivedBody(parameters.experiment).layout);
   return parameters.experiment;
 }
 
@@ -72,12 +73,12 @@ void writeSettings(Connection& connection, const ExperimentSettings& settings)
   const Parameters parameters = parametersOf(settings);
   for (const ParameterSpec& spec : parameterSpecs())
   {
-    if (describesExperiment(spec))
+    if (describesExperiment(spec, settings.body.kind))
     {
       writeParameter(connection, spec, parameters);
     }
   }
-  writeFounders(connection, settings.evolution);
+  writeFounders(connection, settings.evolution, ArchivedBody(settings).layout);
 }
 
 void checkResumable(Connection& connection, const ExperimentSettings& wanted)
@@ -87,7 +88,8 @@ void checkResumable(Connection& connection, const ExperimentSettings& wanted)
   std::string differences;
   for (const ParameterSpec& spec : parameterSpecs())
   {
-    if (describesExperiment(spec) && EXTENT.count(spec.name) == 0 && spec.get(ours) != spec.get(archived))
+    if (describesExperiment(spec, wanted.body.kind) && EXTENT.count(spec.name) == 0 &&
+        spec.get(ours) != spec.get(archived))
     {
       differences += (differences.empty() ? "" : ", ") + spec.name + " is " + spec.get(archived) + " there and " +
                      spec.get(ours) + " here";

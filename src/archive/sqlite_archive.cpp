@@ -18,7 +18,7 @@ SqliteArchive::SqliteArchive(const std::string& output, Connection connection, s
   , lock_(std::move(lock))
   , connection_(std::move(connection))
   , settings_(settings())
-  , lattice_(settings_.body)
+  , body_(settings_)
 {
 }
 
@@ -39,7 +39,7 @@ void SqliteArchive::commitGenerations(const std::vector<GenerationRecord>& recor
 
 std::optional<Evaluation> SqliteArchive::findEvaluation(const Hash128& phenotype_hash) const
 {
-  return working([&] { return findEvaluationOf(connection_, phenotype_hash); });
+  return working([&] { return findEvaluationOf(connection_, *body_.body, phenotype_hash); });
 }
 
 std::map<int64_t, TrialState> SqliteArchive::trialStates() const
@@ -95,10 +95,10 @@ std::vector<ArchivedIndividual> SqliteArchive::readIndividuals(int64_t trial, in
 {
   const auto individuals_with_genomes = [&]
   {
-    auto individuals = findIndividuals(connection_, trial, first_id, count);
+    auto individuals = findIndividuals(connection_, *body_.body, trial, first_id, count);
     for (ArchivedIndividual& archived : individuals)
     {
-      auto genome = findGenome(connection_, trial, archived.individual.id, lattice_.voxelCount());
+      auto genome = findGenome(connection_, trial, archived.individual.id, body_.layout);
       archived.has_genome = genome.has_value();
       archived.individual.genome = std::move(genome).value_or(Genome());
     }
@@ -167,7 +167,7 @@ void SqliteArchive::write(const std::vector<GenerationRecord>& records)
   SQLite::Transaction transaction(connection_.database(), SQLite::TransactionBehavior::IMMEDIATE);
   for (const GenerationRecord& record : records)
   {
-    insertGeneration(connection_, record, settings_.evolution.phaseLimit());
+    insertGeneration(connection_, record, body_);
   }
   recordEvaluators(connection_, evaluators_);
   transaction.commit();
@@ -192,7 +192,7 @@ TrialState SqliteArchive::stateOf(int64_t trial) const
 
 Individual SqliteArchive::survivor(int64_t trial, int64_t id, int64_t generation) const
 {
-  const auto ancestors = readDescent(connection_, settings_, lattice_, trial, id, false);
+  const auto ancestors = readDescent(connection_, settings_, body_, trial, id, false);
   if (ancestors.empty() || !ancestors.back().has_genome || ancestors.back().individual.generation > generation)
   {
     throw DamagedArchive("survivor " + individualName(trial, id) + " of generation " + std::to_string(generation) +
@@ -205,7 +205,7 @@ Individual SqliteArchive::survivor(int64_t trial, int64_t id, int64_t generation
 
 std::vector<ArchivedIndividual> SqliteArchive::descent(int64_t trial, int64_t id, bool all_ancestors) const
 {
-  auto individuals = readDescent(connection_, settings_, lattice_, trial, id, all_ancestors);
+  auto individuals = readDescent(connection_, settings_, body_, trial, id, all_ancestors);
   if (individuals.empty())
   {
     throw InvalidInput("archive " + path_ + " has no individual " + individualName(trial, id));

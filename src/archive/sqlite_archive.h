@@ -1,8 +1,8 @@
 #pragma once
 
+#include "archive/archived_body.h"
 #include "archive/connection.h"
 #include "archive/output_folder.h"
-#include "devo_evo/soft_body/lattice.h"
 
 #include <memory>
 #include <utility>
@@ -69,7 +69,7 @@ private:
   std::unique_ptr<WriterLock> lock_;          // outlives the connection
   mutable Connection connection_;
   ExperimentSettings settings_;
-  Lattice lattice_;
+  ArchivedBody body_;
   std::vector<Evaluator> evaluators_;
 };
 }  // namespace devo_evo

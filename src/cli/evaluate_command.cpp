@@ -29,9 +29,8 @@ class OrderedEvaluation
 {
 public:
   /// @param window how many robots may be under way: bounds the memory, and keeps the farm busy.
-  OrderedEvaluation(RobotReader& robots, Farm& farm, const SoftBodySettings& settings, ResultStream& results,
-                    size_t window)
-    : robots_(robots), farm_(farm), settings_(settings), results_(results), window_(window)
+  OrderedEvaluation(RobotReader& robots, Farm& farm, const Body& body, ResultStream& results, size_t window)
+    : robots_(robots), farm_(farm), body_(body), results_(results), window_(window)
   {
   }
 
@@ -78,7 +77,7 @@ private:
   {
     for (auto next = evaluations_.find(first_); next != evaluations_.end(); next = evaluations_.find(first_))
     {
-      results_.writeLine(evaluationToJson(ids_.front(), next->second, settings_));
+      results_.writeLine(evaluationToJson(ids_.front(), next->second, body_));
       evaluations_.erase(next);
       ids_.pop_front();
       ++first_;
@@ -88,7 +87,7 @@ private:
 
   RobotReader& robots_;
   Farm& farm_;
-  const SoftBodySettings settings_;
+  const Body& body_;
   ResultStream& results_;
   const size_t window_;
   bool at_end_ = false;
@@ -99,19 +98,19 @@ private:
 
 int evaluateFile(const EvaluateArguments& arguments, const Parameters& parameters)
 {
-  const SoftBodySettings& settings = parameters.experiment.body;
-  settings.validate();
+  parameters.experiment.validateBody();
+  const std::shared_ptr<const Body> body = makeBody(parameters.experiment.body);
   const InstructionSet instruction_set = parseInstructionSet(parameters.instruction_set);
   RobotSource source(arguments.input);
-  source.check(settings);
+  source.check(*body);
 
   noteInterruptions();
   ResultStream results(arguments.output, { arguments.input });
   const int threads = threadCount(parameters);
-  const auto farm = makeLocalFarm(settings, threads, instruction_set);
-  RobotReader robots = source.read(settings);
-  const auto window = 4 * static_cast<size_t>(threads) * static_cast<size_t>(laneCount(instruction_set));
-  const bool complete = OrderedEvaluation(robots, *farm, settings, results, window).run();
+  const auto farm = makeLocalFarm(body, threads, instruction_set);
+  RobotReader robots = source.read(*body);
+  const auto window = 4 * static_cast<size_t>(threads) * static_cast<size_t>(body->laneCount(instruction_set));
+  const bool complete = OrderedEvaluation(robots, *farm, *body, results, window).run();
   results.close();
   if (!complete)
   {
@@ -129,7 +128,7 @@ void addEvaluateCommand(CLI::App& tool, Command& command)
   const auto arguments = std::make_shared<EvaluateArguments>();
   app->add_option("FILE", arguments->input, "genomes, one JSON object a line; - for standard input")->required();
   app->add_option("--out", arguments->output, "where the evaluations go instead of standard output")->type_name("FILE");
-  const ParameterOptions options(*app, { "body", "physics", "farm" });
+  const ParameterOptions options(*app, { "body", "physics", "rigid body", "farm" });
   app->footer(
       "Example:\n  devo_evo evaluate genomes.jsonl --out results.jsonl --threads 4 --lifetime 5\n"
       "\"devo_evo parameters\" tells the range of each parameter.");

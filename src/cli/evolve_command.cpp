@@ -57,9 +57,10 @@ int evolve(const Parameters& parameters)
   loadFounders(settings);
   settings.validate();
   const InstructionSet instruction_set = parseInstructionSet(parameters.instruction_set);
-  const auto archive = openArchiveForWriting(settings, localProvenance(toString(instruction_set)));
+  const std::shared_ptr<const Body> body = makeBody(settings.body);
+  const auto archive = openArchiveForWriting(settings, localProvenance(toString(instruction_set), *body));
   std::cerr << "devo_evo: evolving in " << settings.output << (archive->trials().empty() ? "" : ", resumed") << "\n";
-  const auto farm = makeLocalFarm(settings.body, threadCount(parameters), instruction_set);
+  const auto farm = makeLocalFarm(body, threadCount(parameters), instruction_set);
   TerminalObserver observer(settings);
   Experiment experiment(settings, *archive, *farm, observer);
   observer.watch(experiment);
@@ -82,12 +83,13 @@ int evolve(const Parameters& parameters)
 void addEvolveCommand(CLI::App& tool, Command& command)
 {
   CLI::App* app = tool.add_subcommand("evolve", "Run an experiment on threads of this process, or resume one.");
-  const ParameterOptions options(*app, { "experiment", "evolution", "body", "physics", "farm" });
+  const ParameterOptions options(*app, { "experiment", "evolution", "body", "physics", "rigid body", "farm" });
   app->footer(
       "Examples:\n"
       "  devo_evo evolve                                   the paper's Evo-Devo, one trial of 20 generations\n"
       "  devo_evo evolve --treatment evo --trials 30 --generations 10000 --output /data/evo\n"
       "  devo_evo evolve --config experiment.yaml --seed 2\n"
+      "  devo_evo evolve --body rigid --generations 200    the quadruped of Fig S5\n"
       "Ctrl-C stops it; the same command resumes it where it was.\n"
       "\"devo_evo parameters\" tells the range of each parameter.");
   app->callback([=, &command] { command = [=] { return evolve(options.read()); }; });

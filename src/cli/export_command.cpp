@@ -40,7 +40,7 @@ Individual withGenome(const ArchivedIndividual& archived)
   return individual;
 }
 
-std::string jsonOf(const ArchivedIndividual& archived, const SoftBodySettings& body)
+std::string jsonOf(const ArchivedIndividual& archived, const Body& body)
 {
   const Individual individual = withGenome(archived);
   return robotToJson(individualName(individual.trial, individual.id), individual.genome, body);
@@ -63,24 +63,24 @@ void exportIndividual(const ExportArguments& arguments, const Archive& archive, 
 {
   const auto [trial, id] = readIndividualName(archive, arguments.individual);
   const ArchivedIndividual archived = archive.readIndividual(trial, id);
-  const SoftBodySettings body = archive.settings().body;
+  const BodySettings settings = archive.settings().body;
   if (arguments.format == "vxa")
   {
-    sink(toVxa({ individualName(trial, id), withGenome(archived).genome, body }));
+    sink(toVxa({ individualName(trial, id), withGenome(archived).genome, softSettings(settings, "VXA files") }));
   }
   else if (arguments.format == "trace" || arguments.format == "voxels")
   {
     const TraceKind kind = arguments.format == "trace" ? TraceKind::CENTER_OF_MASS : TraceKind::VOXELS;
-    exportTrace(arguments, withGenome(archived), body, kind, sink);
+    exportTrace(arguments, withGenome(archived), softSettings(settings, "traces"), kind, sink);
   }
   else
   {
-    sink(jsonOf(archived, body));
+    sink(jsonOf(archived, *makeBody(settings)));
   }
 }
 
-void exportDescendants(const ExportArguments& arguments, const std::vector<Descendant>& descendants,
-                       const SoftBodySettings& body, const LineSink& sink)
+void exportDescendants(const ExportArguments& arguments, const std::vector<Descendant>& descendants, const Body& body,
+                       const LineSink& sink)
 {
   if (arguments.format == "newick")
   {
@@ -88,7 +88,7 @@ void exportDescendants(const ExportArguments& arguments, const std::vector<Desce
   }
   else if (arguments.format == "alife")
   {
-    writeAlifeStandard(descendants, sink);
+    writeAlifeStandard(descendants, body, sink);
   }
   else if (arguments.format == "json")
   {
@@ -99,7 +99,7 @@ void exportDescendants(const ExportArguments& arguments, const std::vector<Desce
   }
   else
   {
-    writeCsv(descendants, sink);
+    writeCsv(descendants, body, sink);
   }
 }
 
@@ -178,11 +178,11 @@ int exportFrom(const ExportArguments& given)
   else if (!arguments.lineage.empty())
   {
     const auto [trial, id] = readIndividualName(*archive, arguments.lineage);
-    exportDescendants(arguments, readAncestry(*archive, trial, id), settings.body, sink);
+    exportDescendants(arguments, readAncestry(*archive, trial, id), *makeBody(settings.body), sink);
   }
   else
   {
-    exportDescendants(arguments, readPhylogeny(*archive, arguments.phylogeny), settings.body, sink);
+    exportDescendants(arguments, readPhylogeny(*archive, arguments.phylogeny), *makeBody(settings.body), sink);
   }
   results.close();
   return EXIT_OK;

@@ -32,8 +32,8 @@ struct ImportArguments
 struct Imported
 {
   std::vector<std::string> lines;
-  std::optional<SoftBodySettings> settings;  ///< of the VXA files; none if there are none
-  std::string settings_from;                 ///< the file that told of them first
+  std::optional<BodySettings> settings;  ///< of the VXA files; none if there are none
+  std::string settings_from;             ///< the file that told of them first
 };
 
 std::string readWhole(std::istream& stream, const std::string& name)
@@ -73,7 +73,7 @@ std::string readWhole(const std::string& path)
   return readWhole(file, path);
 }
 
-Parameters parametersOf(const SoftBodySettings& body)
+Parameters parametersOf(const BodySettings& body)
 {
   Parameters parameters;
   parameters.experiment.body = body;
@@ -81,7 +81,7 @@ Parameters parametersOf(const SoftBodySettings& body)
 }
 
 /// "lifetime is 5 in a.vxa and 10 in b", for each parameter of body and physics that differs; empty if none does.
-std::string differences(const SoftBodySettings& a, const std::string& where_a, const SoftBodySettings& b,
+std::string differences(const BodySettings& a, const std::string& where_a, const BodySettings& b,
                         const std::string& where_b)
 {
   std::string text;
@@ -101,27 +101,29 @@ std::string differences(const SoftBodySettings& a, const std::string& where_a, c
 void importVxa(Imported& imported, const std::string& content, const std::string& file)
 {
   const VxaRobot robot = readVxa(content, file);
+  const BodySettings settings(robot.settings);
   if (!imported.settings)
   {
-    imported.settings = robot.settings;
+    imported.settings = settings;
     imported.settings_from = file;
   }
-  const std::string difference = differences(robot.settings, file, *imported.settings, imported.settings_from);
+  const std::string difference = differences(settings, file, *imported.settings, imported.settings_from);
   if (!difference.empty())
   {
     throw InvalidInput("the robots are for different settings: " + difference + "; import them one by one");
   }
-  imported.lines.push_back(robotToJson(robot.id, robot.genome, robot.settings));
+  imported.lines.push_back(robotToJson(robot.id, robot.genome, *makeBody(settings)));
 }
 
-void importJson(Imported& imported, const std::string& content, const std::string& file, const SoftBodySettings& body)
+void importJson(Imported& imported, const std::string& content, const std::string& file, const BodySettings& settings)
 {
   std::istringstream input(content);
-  RobotReader reader(input, file, body);
+  const std::shared_ptr<const Body> body = makeBody(settings);
+  RobotReader reader(input, file, *body);
   const size_t before = imported.lines.size();
   while (const auto robot = reader.next())
   {
-    imported.lines.push_back(robotToJson(robot->id, robot->genome, body));
+    imported.lines.push_back(robotToJson(robot->id, robot->genome, *body));
   }
   if (imported.lines.size() == before)
   {
@@ -130,7 +132,7 @@ void importJson(Imported& imported, const std::string& content, const std::strin
 }
 
 /// A robot lives another life with other settings: they have to be the same, or be written down.
-void checkSettings(const ImportArguments& arguments, const Imported& imported, const SoftBodySettings& ours)
+void checkSettings(const ImportArguments& arguments, const Imported& imported, const BodySettings& ours)
 {
   if (!imported.settings || !arguments.parameters.empty())
   {
@@ -144,7 +146,7 @@ void checkSettings(const ImportArguments& arguments, const Imported& imported, c
   }
 }
 
-void writeParameters(const ImportArguments& arguments, const Imported& imported, const SoftBodySettings& ours)
+void writeParameters(const ImportArguments& arguments, const Imported& imported, const BodySettings& ours)
 {
   ExperimentSettings settings;
   settings.body = imported.settings.value_or(ours);
@@ -153,7 +155,7 @@ void writeParameters(const ImportArguments& arguments, const Imported& imported,
   const Parameters parameters = parametersOf(settings.body);
   for (const ParameterSpec& spec : parameterSpecs())
   {
-    if (spec.group == "body" || spec.group == "physics")
+    if (describesBody(spec, settings.body.kind))
     {
       file.writeLine(spec.name + ": " + spec.get(parameters));
     }
@@ -163,8 +165,8 @@ void writeParameters(const ImportArguments& arguments, const Imported& imported,
 
 int importFiles(const ImportArguments& arguments, const Parameters& parameters)
 {
-  const SoftBodySettings& ours = parameters.experiment.body;
-  ours.validate();
+  const BodySettings& ours = parameters.experiment.body;
+  parameters.experiment.validateBody();
   Imported imported;
   for (const std::string& file : arguments.files)
   {
@@ -207,7 +209,7 @@ void addImportCommand(CLI::App& tool, Command& command)
   app->add_option("--parameters", arguments->parameters,
                   "write body and physics of the VXA files here, for --config of other commands")
       ->type_name("FILE");
-  const ParameterOptions options(*app, { "body", "physics" });
+  const ParameterOptions options(*app, { "body", "physics", "rigid body" });
   app->footer(
       "Examples:\n"
       "  devo_evo import champion.vxa --out champion.jsonl\n"

@@ -39,7 +39,7 @@ Json parametersOf(const ExperimentSettings& settings)
   Json json;
   for (const ParameterSpec& spec : parameterSpecs())
   {
-    if (describesExperiment(spec))
+    if (describesExperiment(spec, settings.body.kind))
     {
       json[spec.name] = spec.get(parameters);
     }
@@ -104,6 +104,7 @@ Json processorsOf(const Json& starts)
 
 Json trialsOf(const Archive& archive)
 {
+  const std::shared_ptr<const Body> body = makeBody(archive.settings().body);
   Json trials = Json::array();
   for (const int64_t trial : archive.trials())
   {
@@ -117,6 +118,7 @@ Json trialsOf(const Archive& archive)
                        { "champion", individualName(trial, individual.id) },
                        { "born", individual.generation },
                        { "fitness", evaluation.fitness },
+                       { "fitness_text", body->fitnessText(evaluation.fitness) + " " + body->fitnessUnit() },
                        { "turns", evaluation.turns },
                        { "morphology_window", champion.morphology_window },
                        { "control_window", champion.control_window } });
@@ -175,7 +177,7 @@ std::string trialAsText(const Json& trial, const std::string& generations)
   return "    " + toText(trial.at("trial").get<int64_t>()) + ": generation " +
          toText(trial.at("last_generation").get<int64_t>()) + "/" + generations + ", " +
          toText(trial.at("individuals").get<int64_t>()) + " individuals; champion " +
-         trial.at("champion").get<std::string>() + ": " + textOf(trial.at("fitness"), 3) + " body lengths, " +
+         trial.at("champion").get<std::string>() + ": " + trial.at("fitness_text").get<std::string>() + ", " +
          textOf(trial.at("turns"), 2) + " turns, W_L " + textOf(trial.at("morphology_window"), 3) + ", W_Phi " +
          textOf(trial.at("control_window"), 3) + "\n";
 }

@@ -50,9 +50,9 @@ RobotSource::RobotSource(const std::string& path)
 {
 }
 
-void RobotSource::check(const SoftBodySettings& settings)
+void RobotSource::check(const Body& body)
 {
-  RobotReader reader = read(settings);
+  RobotReader reader = read(body);
   std::set<RobotId> ids;
   std::optional<RobotRecord> repeated;
   while (const auto robot = reader.next())
@@ -74,10 +74,10 @@ void RobotSource::check(const SoftBodySettings& settings)
   }
 }
 
-RobotReader RobotSource::read(const SoftBodySettings& settings)
+RobotReader RobotSource::read(const Body& body)
 {
   input_->clear();
   input_->seekg(0);
-  return RobotReader(*input_, name_, settings);
+  return RobotReader(*input_, name_, body);
 }
 }  // namespace devo_evo

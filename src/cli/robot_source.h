@@ -17,10 +17,10 @@ public:
   explicit RobotSource(const std::string& path);
 
   /// Warns, on standard error, if ids come twice or there is no robot. @throw InvalidInput if a robot cannot be used.
-  void check(const SoftBodySettings& settings);
+  void check(const Body& body);
 
   /// From the beginning. The source must outlive the reader.
-  RobotReader read(const SoftBodySettings& settings);
+  RobotReader read(const Body& body);
 
 private:
   const std::string name_;

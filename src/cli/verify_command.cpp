@@ -41,7 +41,7 @@ std::string scopeText(const VerificationScope& scope)
 /// Results of another engine differ everywhere, which says nothing about the archive.
 std::optional<Offence> differenceOfEngines(const Archive& archive, InstructionSet instruction_set)
 {
-  const uint64_t ours = engineFingerprint(instruction_set);
+  const uint64_t ours = makeBody(archive.settings().body)->engineFingerprint(instruction_set);
   for (const Start& start : archive.starts())
   {
     const uint64_t theirs = start.provenance.engine_fingerprint;
@@ -73,7 +73,7 @@ Verification verifyArchive(const VerifyArguments& arguments, const Parameters& p
     {
       return found;
     }
-    const auto farm = makeLocalFarm(archive->settings().body, threadCount(parameters), instruction_set);
+    const auto farm = makeLocalFarm(makeBody(archive->settings().body), threadCount(parameters), instruction_set);
     ProgressDisplay display;
     const auto progress = [&](const Verification& so_far)
     {

@@ -12,6 +12,7 @@ package too (devo_evo.msg, devo_evo.srv), must not need pandas.
 _HOMES = {
     "Archive": "archive",
     "Genome": "genomes",
+    "RigidGenome": "genomes",
     "Study": "study",
     "open_study": "study",
     "evaluate": "evaluation",

@@ -12,10 +12,18 @@ import numpy as np
 import pandas as pd
 
 from .caching import remembered
-from .columns import GENOME_COLUMNS, HASH_COLUMNS, INDIVIDUAL_COLUMNS, UNITS
+from .columns import (
+    GENOME_COLUMNS,
+    HASH_COLUMNS,
+    INDIVIDUAL_COLUMNS,
+    RIGID_GENOME_COLUMNS,
+    RIGID_INDIVIDUAL_COLUMNS,
+    RIGID_UNITS,
+    UNITS,
+)
 from .database import Database
 from .errors import ArchiveError, InvalidInput
-from .genomes import Genome
+from .genomes import Genome, RigidGenome
 
 APPLICATION_ID = 0x6465766F  # "devo"
 SCHEMA_VERSION = 1
@@ -68,6 +76,16 @@ class Archive:
         return self.path.parent
 
     @property
+    def body(self):
+        """The kind of body, "soft" or "rigid"; archives from before there were others are of soft ones."""
+        return self.parameters.get("body", "soft")
+
+    @property
+    def individual_columns(self):
+        """The columns of an individual that frames have by default: those of its kind of body."""
+        return RIGID_INDIVIDUAL_COLUMNS if self.body == "rigid" else INDIVIDUAL_COLUMNS
+
+    @property
     def treatment(self):
         """The treatment's name, such as "evo_devo"."""
         return self._parameter("treatment")
@@ -84,7 +102,7 @@ class Archive:
 
     def sql(self, query, parameters=()):
         """The result of a query as a frame; docs/archive.md describes the tables."""
-        return _with_units(self._database.frame(query, parameters))
+        return self._with_units(self._database.frame(query, parameters))
 
     def designs(self, above):
         """Each phenotype that was ever evaluated, once: control_window, morphology_window [1], fitness [body lengths],
@@ -102,7 +120,7 @@ class Archive:
         counts = self.sql(
             "SELECT trial, count(*) AS individuals, sum(NOT valid) AS invalid FROM individuals GROUP BY trial"
         )
-        return _with_units(self._progress().merge(counts, on="trial", how="left"))
+        return self._with_units(self._progress().merge(counts, on="trial", how="left"))
 
     @remembered
     def horizon(self):
@@ -129,18 +147,18 @@ class Archive:
             (_integer(trial),),
         )
 
-    def individuals(self, trial=None, columns=INDIVIDUAL_COLUMNS, valid_only=False):
-        """A row per robot that ever lived. columns: among INDIVIDUAL_COLUMNS and HASH_COLUMNS."""
+    def individuals(self, trial=None, columns=None, valid_only=False):
+        """A row per robot that ever lived. columns: among individual_columns and HASH_COLUMNS; all of the former."""
         return self._individuals(
             "(?1 IS NULL OR trial = ?1) AND (valid OR NOT ?2) ORDER BY trial, id",
             (_integer(trial), bool(valid_only)),
-            columns,
+            self.individual_columns if columns is None else columns,
         )
 
     def individual(self, trial, number):
         """One robot as a series, hashes included. Raises InvalidInput if there is none."""
         frame = self._individuals(
-            "trial = ? AND id = ?", (_integer(trial), _integer(number)), INDIVIDUAL_COLUMNS + HASH_COLUMNS
+            "trial = ? AND id = ?", (_integer(trial), _integer(number)), self.individual_columns + HASH_COLUMNS
         )
         if frame.empty:
             raise InvalidInput(f"archive {self.path} has no individual {trial}/{number}")
@@ -149,8 +167,8 @@ class Archive:
     def survivors(self, generation=None):
         """The populations after the selection of one generation (default: that of `horizon`), in ranking order."""
         generation = self.horizon().generation if generation is None else generation
-        columns = ", ".join("i." + column for column in INDIVIDUAL_COLUMNS if column not in ("trial", "id"))
-        return _typed(
+        columns = ", ".join("i." + column for column in self.individual_columns if column not in ("trial", "id"))
+        return self._typed(
             self.sql(
                 f"SELECT s.trial, s.rank, s.id, {columns} FROM (SELECT DISTINCT trial FROM generations) AS t "
                 "CROSS JOIN survivors AS s ON s.trial = t.trial "  # by trial: without reading those of all generations
@@ -164,8 +182,8 @@ class Archive:
         """The champion of each trial of `horizon` in one generation (default: that of `horizon`), indexed by trial."""
         horizon = self.horizon()
         generation = horizon.generation if generation is None else generation
-        columns = ", ".join("i." + column for column in INDIVIDUAL_COLUMNS if column != "trial")
-        frame = _typed(
+        columns = ", ".join("i." + column for column in self.individual_columns if column != "trial")
+        frame = self._typed(
             self.sql(
                 f"SELECT g.trial, {columns} FROM generations AS g "
                 "JOIN individuals AS i ON i.trial = g.trial AND i.id = g.champion "
@@ -173,7 +191,7 @@ class Archive:
                 (_integer(generation),),
             )
         )
-        return _with_units(frame[frame["trial"].isin(horizon.trials)].set_index("trial"))
+        return self._with_units(frame[frame["trial"].isin(horizon.trials)].set_index("trial"))
 
     def lineage(self, trial, number=None):
         """A robot and its ancestors, oldest first, with `ancestor` counting from 0. Default: the run champion's."""
@@ -182,8 +200,8 @@ class Archive:
             if trial not in champions.index:
                 raise InvalidInput(f"archive {self.path} has no trial {trial} with a run champion")
             number = champions.at[trial, "id"]
-        columns = ", ".join("i." + column for column in INDIVIDUAL_COLUMNS)
-        frame = _typed(
+        columns = ", ".join("i." + column for column in self.individual_columns)
+        frame = self._typed(
             self.sql(
                 "WITH RECURSIVE lineage (trial, id) AS (SELECT ?1, ?2 UNION SELECT i.trial, i.parent "
                 "FROM individuals AS i JOIN lineage USING (trial, id) WHERE i.parent IS NOT NULL) "
@@ -196,15 +214,15 @@ class Archive:
         if not np.isnan(frame["parent"].iloc[0]):
             raise ArchiveError(f"archive {self.path}: the parent of {trial}/{frame['id'].iloc[0]} is missing")
         frame.insert(0, "ancestor", np.arange(len(frame)))
-        return _with_units(frame)
+        return self._with_units(frame)
 
     def lineages(self):
         """The lineages of all run champions, one below the other."""
         frames = [self.lineage(trial, number) for trial, number in self.run_champions()["id"].items()]
         return (
-            _with_units(pd.concat(frames, ignore_index=True))
+            self._with_units(pd.concat(frames, ignore_index=True))
             if frames
-            else pd.DataFrame(columns=("ancestor",) + INDIVIDUAL_COLUMNS)
+            else pd.DataFrame(columns=("ancestor",) + self.individual_columns)
         )
 
     def genomes(self, robots):
@@ -239,21 +257,22 @@ class Archive:
         return self.parameters[name]
 
     def _individuals(self, condition, parameters, columns):
-        unknown = set(columns) - set(INDIVIDUAL_COLUMNS) - set(HASH_COLUMNS)
+        unknown = set(columns) - set(self.individual_columns) - set(HASH_COLUMNS)
         if unknown:
             raise InvalidInput(
                 f"individuals have no column {sorted(unknown)[0]!r}; they have "
-                + ", ".join(INDIVIDUAL_COLUMNS + HASH_COLUMNS)
+                + ", ".join(self.individual_columns + HASH_COLUMNS)
             )
         selected = ", ".join(
             f"lower(hex({column})) AS {column}" if column in HASH_COLUMNS else column for column in columns
         )
-        return _typed(self.sql(f"SELECT {selected} FROM individuals WHERE {condition}", parameters))
+        return self._typed(self.sql(f"SELECT {selected} FROM individuals WHERE {condition}", parameters))
 
     def _genome(self, trial, number):
+        columns = RIGID_GENOME_COLUMNS if self.body == "rigid" else GENOME_COLUMNS
         rows = list(
             self._database.rows(
-                f"SELECT {', '.join(GENOME_COLUMNS)} FROM genomes WHERE trial = ? AND id = ?", (trial, number)
+                f"SELECT {', '.join(columns)} FROM genomes WHERE trial = ? AND id = ?", (trial, number)
             )
         )
         if not rows:
@@ -262,39 +281,38 @@ class Archive:
                 "living and of their ancestors (devo_evo export makes the others again)"
             )
         try:
-            initial_size, final_size, initial_phase, final_phase, rate = [
+            initial_body, final_body, initial_control, final_control, rate = [
                 None if blob is None else np.frombuffer(blob, "<f8") for blob in rows[0]
             ]
-            return Genome(
-                initial_size,
-                initial_size if final_size is None else final_size,
-                initial_phase,
-                initial_phase if final_phase is None else final_phase,
-                rate,
+            arrays = (
+                initial_body,
+                initial_body if final_body is None else final_body,
+                initial_control,
+                initial_control if final_control is None else final_control,
             )
+            return RigidGenome(*arrays) if self.body == "rigid" else Genome(*arrays, rate)
         except (ValueError, TypeError) as error:
             raise ArchiveError(f"archive {self.path}: the genome of {trial}/{number} is damaged: {error}") from error
+
+    def _typed(self, frame):
+        """Where a column of numbers is NULL throughout, SQLite does not tell its type."""
+        for column in frame:
+            if column == "valid":
+                frame[column] = frame[column].astype(bool)
+            elif frame[column].dtype == object and column not in HASH_COLUMNS:
+                try:
+                    frame[column] = frame[column].astype(float)
+                except (TypeError, ValueError) as error:
+                    raise ArchiveError(f"the archive is damaged: in column {column}, {error}") from error
+        if "parent" in frame:
+            frame["parent"] = frame["parent"].astype(float)
+        return self._with_units(frame)
+
+    def _with_units(self, frame):
+        units = RIGID_UNITS if self.body == "rigid" else UNITS
+        frame.attrs["units"] = {column: units.get(column, "") for column in frame}
+        return frame
 
 
 def _integer(value: Optional[int]):
     return None if value is None else int(value)
-
-
-def _typed(frame):
-    """Where a column of numbers is NULL throughout, SQLite does not tell its type."""
-    for column in frame:
-        if column == "valid":
-            frame[column] = frame[column].astype(bool)
-        elif frame[column].dtype == object and column not in HASH_COLUMNS:
-            try:
-                frame[column] = frame[column].astype(float)
-            except (TypeError, ValueError) as error:
-                raise ArchiveError(f"the archive is damaged: in column {column}, {error}") from error
-    if "parent" in frame:
-        frame["parent"] = frame["parent"].astype(float)
-    return _with_units(frame)
-
-
-def _with_units(frame):
-    frame.attrs["units"] = {column: UNITS.get(column, "") for column in frame}
-    return frame

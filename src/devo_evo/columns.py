@@ -39,7 +39,32 @@ MEASURES = (  # of an evaluation, as numbers
     "turns",
     "airborne_fraction",
 )
+RIGID_MEASURES = (  # the same of a rigid body
+    "fitness",
+    "descent",
+    "sideways",
+    "turns",
+    "airborne_fraction",
+    "abdomen_contact",
+    "leg_contact",
+    "first_abdomen_contact_since_birth_s",
+    "first_roll_since_birth_s",
+)
 WINDOWS = ("morphology_window", "control_window")
 INDIVIDUAL_COLUMNS = ("trial", "id", "parent", "generation", "age", "valid") + MEASURES + WINDOWS
+RIGID_INDIVIDUAL_COLUMNS = ("trial", "id", "parent", "generation", "age", "valid") + RIGID_MEASURES + WINDOWS
 HASH_COLUMNS = ("state_hash", "phenotype_hash", "genome_hash")
 GENOME_COLUMNS = ("size_gene_initial", "size_gene_final", "phase_initial", "phase_final", "mutation_rate")
+RIGID_GENOME_COLUMNS = ("leg_length_initial", "leg_length_final", "weight_initial", "weight_final", "mutation_rate")
+RIGID_UNITS = {
+    **UNITS,
+    "fitness": "1/m^2",
+    "best_fitness": "1/m^2",
+    "median_fitness": "1/m^2",
+    "descent": "m",
+    "sideways": "m",
+    "abdomen_contact": "1",
+    "leg_contact": "1",
+    "first_abdomen_contact_since_birth_s": "s",
+    "first_roll_since_birth_s": "s",
+}

@@ -6,13 +6,15 @@ process does thousands of robots, against whose simulation its start counts for 
 match this Python.
 """
 
+import dataclasses
 import json
 
 import pandas as pd
 
 from . import columns
-from .columns import MEASURES
+from .columns import MEASURES, RIGID_MEASURES
 from .errors import InvalidInput
+from .genomes import RigidGenome
 from .tool import run_tool
 
 BODY_PARAMETERS = (
@@ -41,26 +43,18 @@ UNITS = {"velocity_body_lengths_per_s": "body lengths/s", **columns.UNITS}
 def evaluate(genomes, parameters=None, threads=None):
     """Simulates robots. Returns a frame with one row for each, in their order: the measures of docs/tool.md.
 
-    genomes: of `Genome`.
+    genomes: of `Genome`, or all of `RigidGenome`.
     parameters: of body and physics by name (docs/parameters.md), as in `Archive.parameters`; others are let pass.
     threads: of the tool; None: one a core.
     """
     genomes = list(genomes)
-    lines = [
-        json.dumps(
-            {
-                "id": number,
-                "size_gene_initial": genome.size_gene_initial.tolist(),
-                "size_gene_final": genome.size_gene_final.tolist(),
-                "phase_initial_cycles": genome.phase_initial.tolist(),
-                "phase_final_cycles": genome.phase_final.tolist(),
-            }
-        )
-        for number, genome in enumerate(genomes)
-    ]
-    options = []
+    rigid = any(isinstance(genome, RigidGenome) for genome in genomes)
+    measures = RIGID_MEASURES if rigid else MEASURES
+    units = {**UNITS, **columns.RIGID_UNITS} if rigid else UNITS
+    lines = [json.dumps({"id": number, **_arrays(genome)}) for number, genome in enumerate(genomes)]
+    options = ["--body", "rigid"] if rigid else []
     for name, value in (parameters or {}).items():
-        if name in BODY_PARAMETERS:
+        if name.startswith("rigid_") and name != "rigid_mutation_sigma" if rigid else name in BODY_PARAMETERS:
             options += [f"--{name}", _as_text(value)]
     if threads is not None:
         options += ["--threads", str(threads)]
@@ -70,9 +64,9 @@ def evaluate(genomes, parameters=None, threads=None):
     if len(results) != len(genomes):
         raise InvalidInput(f"{len(results)} evaluations came back for {len(genomes)} robots")
     frame = pd.DataFrame(results).drop(columns=["id", "verdict"], errors="ignore")
-    for column in MEASURES:
+    for column in measures:
         frame[column] = frame[column].astype(float)
-    frame.attrs["units"] = {column: UNITS[column] for column in frame}
+    frame.attrs["units"] = {column: units[column] for column in frame}
     return frame
 
 
@@ -85,6 +79,18 @@ def evaluate_individuals(archive, robots, threads=None, **changes):
     frame = evaluate(archive.genomes(robots), {**archive.parameters, **changes}, threads)
     frame.index = pd.MultiIndex.from_tuples(robots, names=["trial", "id"])
     return frame
+
+
+def _arrays(genome):
+    """The arrays of a genome as the tool reads them."""
+    if isinstance(genome, RigidGenome):
+        return {field.name: getattr(genome, field.name).tolist() for field in dataclasses.fields(genome)}
+    return {
+        "size_gene_initial": genome.size_gene_initial.tolist(),
+        "size_gene_final": genome.size_gene_final.tolist(),
+        "phase_initial_cycles": genome.phase_initial.tolist(),
+        "phase_final_cycles": genome.phase_final.tolist(),
+    }
 
 
 def _as_text(value):

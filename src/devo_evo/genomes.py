@@ -67,5 +67,36 @@ class Genome:
         )
 
 
+@dataclasses.dataclass(frozen=True)
+class RigidGenome:
+    """What a rigid quadruped inherits.
+
+    leg_length_initial, leg_length_final: one number per leg, front left, front right, hind left, hind right [1, 0 to 1]
+    weight_initial, weight_final: of generator g to leg l at 2 l + g [1, -1 to 1]
+    """
+
+    leg_length_initial: np.ndarray
+    leg_length_final: np.ndarray
+    weight_initial: np.ndarray
+    weight_final: np.ndarray
+
+    def __post_init__(self):
+        for field in dataclasses.fields(self):
+            array = np.array(getattr(self, field.name), dtype=np.float64)
+            shape = (4,) if field.name.startswith("leg") else (8,)
+            if array.shape != shape:
+                raise InvalidInput(f"{field.name} has the shape {array.shape}; it must be {shape}")
+            array.setflags(write=False)
+            object.__setattr__(self, field.name, array)
+
+    def morphology_window(self):
+        """W_L: share of all possible change of leg length that the robot uses [1, 0 to 1]."""
+        return _window(self.leg_length_initial, self.leg_length_final, 0.5)
+
+    def control_window(self):
+        """W_Phi: share of all possible change of weights that the robot uses [1, 0 to 1]."""
+        return _window(self.weight_initial, self.weight_final, 1.0)
+
+
 def _window(initial, final, limit):
     return float(np.mean(np.abs(final - initial)) / (2.0 * limit))

@@ -11,29 +11,35 @@ namespace devo_evo
 namespace
 {
 /// The half of the body at lower x becomes the mirror image of the other; a plane of voxels in the middle stays.
-void mirror(std::vector<double>& values, const Lattice& lattice)
+void mirror(std::vector<double>& values, const std::vector<int>& image)
 {
-  for (int voxel = 0; voxel < lattice.voxelCount(); ++voxel)
+  for (size_t i = 0; i < image.size(); ++i)
   {
-    const int image = lattice.mirrored(voxel);
-    if (voxel < image)
+    const auto other = static_cast<size_t>(image[i]);
+    if (i < other)
     {
-      values[voxel] = values[image];
+      values[i] = values[other];
     }
   }
 }
 
 /// What does not develop keeps its initial values.
-void copyInitialToFinal(DevelopmentalProgram& program, Treatment treatment)
+void copyInitialToFinal(DevelopmentalProgram& program, const GenomeLayout& layout)
 {
-  if (!specOf(treatment).body_develops)
+  if (!layout.morphology.develops)
   {
-    program.size_gene_final = program.size_gene_initial;
+    program.morphology_final = program.morphology_initial;
   }
-  if (!specOf(treatment).control_develops)
+  if (!layout.control.develops)
   {
-    program.phase_final = program.phase_initial;
+    program.control_final = program.control_initial;
   }
+}
+
+bool isMorphology(const TraitSpec& trait)
+{
+  return trait.values == &DevelopmentalProgram::morphology_initial ||
+         trait.values == &DevelopmentalProgram::morphology_final;
 }
 
 /// Mutates every mutation rate; without self-adaptation there are none.
@@ -67,25 +73,46 @@ std::vector<bool> selectTraits(size_t count, Profile profile, RandomStream& rand
 
 void mutateValue(double& value, const TraitSpec& trait, RandomStream& random)
 {
-  value = std::clamp(value + trait.mutation_sigma * random.normal(), -trait.limit, trait.limit);
+  value = std::clamp(value + trait.mutation_sigma * random.normal(), trait.minimum, trait.maximum);
 }
 
-void mutateTrait(Genome& genome, const TraitSpec& trait, const EvolutionSettings& settings, const Lattice& lattice,
-                 RandomStream& random)
+/// @param rate_of gives the probability with which the number at an index mutates.
+template <class Rate>
+void mutateTrait(Genome& genome, const TraitSpec& trait, Rate rate_of, RandomStream& random)
 {
   std::vector<double>& values = genome.program.*trait.values;
-  for (size_t voxel = 0; voxel < values.size(); ++voxel)
+  for (size_t i = 0; i < values.size(); ++i)
   {
-    const double rate = settings.mutation_rate ? *settings.mutation_rate : genome.mutation_rate[voxel];
-    if (random.uniform() < rate)
+    if (random.uniform() < rate_of(i))
     {
-      mutateValue(values[voxel], trait, random);
+      mutateValue(values[i], trait, random);
     }
   }
-  if (trait.mirrored)
+  mirror(values, trait.image);
+}
+
+/// How many numbers of a part evolve.
+double evolvingNumbers(const GenomePart& part)
+{
+  return static_cast<double>(part.size) * (part.develops ? 2.0 : 1.0);
+}
+
+/// One number of each part on average.
+Genome mutateEveryPart(const Genome& parent, const GenomeLayout& layout, RandomStream& random, MutationRecord* record)
+{
+  Genome child = parent;
+  for (const TraitSpec& trait : evolvingTraits(layout))
   {
-    mirror(values, lattice);
+    const double rate = 1.0 / evolvingNumbers(isMorphology(trait) ? layout.morphology : layout.control);
+    mutateTrait(
+        child, trait, [rate](size_t) { return rate; }, random);
+    if (record && child.program.*trait.values != parent.program.*trait.values)
+    {
+      record->traits.push_back(trait.name);
+    }
   }
+  copyInitialToFinal(child.program, layout);
+  return child;
 }
 
 /// "phase_final[17] is 0.5; " followed by the rule.
@@ -94,21 +121,42 @@ void mutateTrait(Genome& genome, const TraitSpec& trait, const EvolutionSettings
   throw InvalidInput(array + "[" + toText(static_cast<int64_t>(voxel)) + "] is " + toText(value) + "; " + rule);
 }
 
-void validateTrait(const Genome& genome, const TraitSpec& trait, const Lattice& lattice)
+void validateArray(const std::string& name, const std::vector<double>& values, const GenomePart& part,
+                   const std::string& carrier)
+{
+  if (values.size() != part.size)
+  {
+    throw InvalidInput(name + " has " + toText(static_cast<int64_t>(values.size())) + " values; " + carrier +
+                       " needs " + toText(static_cast<int64_t>(part.size)));
+  }
+  for (size_t i = 0; i < values.size(); ++i)
+  {
+    if (!(values[i] >= part.lowest - GENE_TOLERANCE && values[i] <= part.highest + GENE_TOLERANCE))
+    {
+      refuse(name, i, values[i], "it must lie within " + toText(part.lowest) + " to " + toText(part.highest));
+    }
+  }
+}
+
+void validateTrait(const Genome& genome, const TraitSpec& trait)
 {
   const std::vector<double>& values = genome.program.*trait.values;
-  for (size_t voxel = 0; voxel < values.size(); ++voxel)
+  for (size_t i = 0; i < values.size(); ++i)
   {
-    if (std::abs(values[voxel]) > trait.limit + GENE_TOLERANCE)
+    if (values[i] < trait.minimum - GENE_TOLERANCE || values[i] > trait.maximum + GENE_TOLERANCE)
     {
-      refuse(trait.name, voxel, values[voxel],
-             "it must lie within " + toText(-trait.limit) + " to " + toText(trait.limit));
+      refuse(trait.name, i, values[i], "it must lie within " + toText(trait.minimum) + " to " + toText(trait.maximum));
     }
-    const int image = lattice.mirrored(static_cast<int>(voxel));
-    if (trait.mirrored && values[voxel] != values[image])
+    if (!trait.mirrored())
     {
-      refuse(trait.name, voxel, values[voxel],
-             "it must equal its mirror image, [" + toText(image) + "], which is " + toText(values[image]));
+      continue;
+    }
+    const int image = trait.image[i];
+    if (values[i] != values[static_cast<size_t>(image)])
+    {
+      refuse(trait.name, i, values[i],
+             "it must equal its mirror image, [" + toText(image) + "], which is " +
+                 toText(values[static_cast<size_t>(image)]));
     }
   }
 }
@@ -126,14 +174,15 @@ void validateNoDevelopment(const std::string& name, const std::vector<double>& i
   }
 }
 
-void validateRates(const std::vector<double>& rates, const EvolutionSettings& settings, const SoftBodySettings& body)
+void validateRates(const std::vector<double>& rates, const EvolutionSettings& settings, const GenomeLayout& layout)
 {
-  const int needed = settings.mutation_rate ? 0 : body.voxelCount();
-  if (rates.size() != static_cast<size_t>(needed))
+  const size_t needed = layout.self_adaptive ? layout.morphology.size : 0;
+  if (rates.size() != needed)
   {
     throw InvalidInput("mutation_rate has " + toText(static_cast<int64_t>(rates.size())) + " values; " +
                        (needed == 0 ? "with a fixed mutation rate it must have none"
-                                    : "self-adaptation needs one per voxel, " + toText(needed)));
+                                    : "self-adaptation needs one per " + layout.morphology.place + ", " +
+                                          toText(static_cast<int64_t>(needed))));
   }
   for (size_t voxel = 0; voxel < rates.size(); ++voxel)
   {
@@ -147,7 +196,10 @@ void validateRates(const std::vector<double>& rates, const EvolutionSettings& se
 
 void addProgram(Sha256& hash, const DevelopmentalProgram& program)
 {
-  hash.add(program.size_gene_initial).add(program.size_gene_final).add(program.phase_initial).add(program.phase_final);
+  hash.add(program.morphology_initial)
+      .add(program.morphology_final)
+      .add(program.control_initial)
+      .add(program.control_final);
 }
 
 Hash128 firstHalf(Sha256& hash)
@@ -164,105 +216,101 @@ bool Genome::operator==(const Genome& other) const
   return program == other.program && mutation_rate == other.mutation_rate;
 }
 
-std::vector<TraitSpec> evolvingTraits(const EvolutionSettings& settings)
+std::vector<TraitSpec> evolvingTraits(const GenomeLayout& layout)
 {
-  const double size_sigma = settings.size_mutation_sigma;
-  const double phase_limit = settings.phaseLimit();
-  const TreatmentSpec& treatment = specOf(settings.treatment);
+  using Program = DevelopmentalProgram;
   std::vector<TraitSpec> traits;
-  traits.push_back({ "size_gene_initial", &DevelopmentalProgram::size_gene_initial, 1.0, size_sigma, true });
-  if (treatment.body_develops)
+  const auto add =
+      [&traits](const GenomePart& part, std::vector<double> Program::*initial, std::vector<double> Program::*final)
   {
-    traits.push_back({ "size_gene_final", &DevelopmentalProgram::size_gene_final, 1.0, size_sigma, true });
-  }
-  traits.push_back({ "phase_initial", &DevelopmentalProgram::phase_initial, phase_limit, phase_limit, false });
-  if (treatment.control_develops)
-  {
-    traits.push_back({ "phase_final", &DevelopmentalProgram::phase_final, phase_limit, phase_limit, false });
-  }
+    traits.push_back({ part.initialName(), initial, part.minimum, part.maximum, part.mutation_sigma, part.image });
+    if (part.develops)
+    {
+      traits.push_back({ part.finalName(), final, part.minimum, part.maximum, part.mutation_sigma, part.image });
+    }
+  };
+  add(layout.morphology, &Program::morphology_initial, &Program::morphology_final);
+  add(layout.control, &Program::control_initial, &Program::control_final);
   return traits;
 }
 
-Genome randomGenome(const EvolutionSettings& settings, const Lattice& lattice, RandomStream& random)
+Genome randomGenome(const EvolutionSettings& settings, const GenomeLayout& layout, RandomStream& random)
 {
-  const size_t voxels = static_cast<size_t>(lattice.voxelCount());
   Genome genome;
-  if (!settings.mutation_rate)
+  if (layout.self_adaptive)
   {
-    genome.mutation_rate.assign(voxels, settings.minimum_mutation_rate);
+    genome.mutation_rate.assign(layout.morphology.size, settings.minimum_mutation_rate);
     if (settings.profile == Profile::RELEASED_CODE)
     {
       mutateRates(genome.mutation_rate, settings, random);
     }
   }
-  for (const TraitSpec& trait : evolvingTraits(settings))
+  for (const TraitSpec& trait : evolvingTraits(layout))
   {
     std::vector<double>& values = genome.program.*trait.values;
-    values.resize(voxels);
+    values.resize(isMorphology(trait) ? layout.morphology.size : layout.control.size);
     for (double& value : values)
     {
-      value = random.uniform(-trait.limit, trait.limit);
+      value = random.uniform(trait.minimum, trait.maximum);
     }
-    if (trait.mirrored)
-    {
-      mirror(values, lattice);
-    }
+    mirror(values, trait.image);
   }
-  copyInitialToFinal(genome.program, settings.treatment);
+  copyInitialToFinal(genome.program, layout);
   return genome;
 }
 
-Genome mutate(const Genome& parent, const EvolutionSettings& settings, const Lattice& lattice, RandomStream& random,
+Genome mutate(const Genome& parent, const EvolutionSettings& settings, const GenomeLayout& layout, RandomStream& random,
               MutationRecord* record)
 {
-  return mutateTraits(parent, evolvingTraits(settings), settings, lattice, random, record);
+  return layout.mutation == MutationOperator::EVERY_PART
+             ? mutateEveryPart(parent, layout, random, record)
+             : mutateTraits(parent, evolvingTraits(layout), settings, layout, random, record);
 }
 
 Genome mutateTraits(const Genome& parent, const std::vector<TraitSpec>& traits, const EvolutionSettings& settings,
-                    const Lattice& lattice, RandomStream& random, MutationRecord* record)
+                    const GenomeLayout& layout, RandomStream& random, MutationRecord* record)
 {
   const std::vector<bool> selected = selectTraits(traits.size(), settings.profile, random);
   Genome child = parent;
   mutateRates(child.mutation_rate, settings, random);
+  const auto rate_of = [&](size_t i)
+  { return settings.mutation_rate ? *settings.mutation_rate : child.mutation_rate[i]; };
   for (size_t i = 0; i < traits.size(); ++i)
   {
     if (selected[i])
     {
-      mutateTrait(child, traits[i], settings, lattice, random);
+      mutateTrait(child, traits[i], rate_of, random);
       if (record)
       {
         record->traits.push_back(traits[i].name);
       }
     }
   }
-  copyInitialToFinal(child.program, settings.treatment);
+  copyInitialToFinal(child.program, layout);
   return child;
 }
 
-Genome mutateOneVoxel(const Genome& parent, const std::vector<TraitSpec>& traits, const EvolutionSettings& settings,
-                      const Lattice& lattice, RandomStream& random)
+Genome mutateOneVoxel(const Genome& parent, const std::vector<TraitSpec>& traits, const GenomeLayout& layout,
+                      RandomStream& random)
 {
   const TraitSpec& trait = traits[random.below(traits.size())];
-  std::vector<int> candidates;
-  for (int voxel = 0; voxel < lattice.voxelCount(); ++voxel)
-  {
-    if (!trait.mirrored || voxel >= lattice.mirrored(voxel))
-    {
-      candidates.push_back(voxel);
-    }
-  }
   Genome child = parent;
   std::vector<double>& values = child.program.*trait.values;
-  mutateValue(values[static_cast<size_t>(candidates[random.below(candidates.size())])], trait, random);
-  if (trait.mirrored)
+  std::vector<size_t> candidates;
+  for (size_t i = 0; i < values.size(); ++i)
   {
-    mirror(values, lattice);
+    if (!trait.mirrored() || i >= static_cast<size_t>(trait.image[i]))
+    {
+      candidates.push_back(i);
+    }
   }
-  copyInitialToFinal(child.program, settings.treatment);
+  mutateValue(values[candidates[random.below(candidates.size())]], trait, random);
+  mirror(values, trait.image);
+  copyInitialToFinal(child.program, layout);
   return child;
 }
 
-Genome bornGenome(const EvolutionSettings& settings, const Lattice& lattice, int64_t trial, int64_t generation,
+Genome bornGenome(const EvolutionSettings& settings, const GenomeLayout& layout, int64_t trial, int64_t generation,
                   int64_t id, const Genome* parent)
 {
   if (!parent && generation == 0 && settings.founders && id < static_cast<int64_t>(settings.founders->size()))
@@ -270,28 +318,37 @@ Genome bornGenome(const EvolutionSettings& settings, const Lattice& lattice, int
     return settings.founders->at(static_cast<size_t>(id));
   }
   const RandomPurpose purpose = parent ? RandomPurpose::MUTATION : RandomPurpose::FOUNDER_GENOME;
-  RandomStream random(settings.seed, settings.arm(), trial, generation, id, purpose);
-  return parent ? mutate(*parent, settings, lattice, random) : randomGenome(settings, lattice, random);
+  RandomStream random(settings.seed, layout.arm, trial, generation, id, purpose);
+  return parent ? mutate(*parent, settings, layout, random) : randomGenome(settings, layout, random);
 }
 
-void validate(const Genome& genome, const EvolutionSettings& settings, const SoftBodySettings& body)
+void validate(const DevelopmentalProgram& program, const GenomeLayout& layout)
+{
+  const GenomePart& morphology = layout.morphology;
+  const GenomePart& control = layout.control;
+  validateArray(morphology.initialName(), program.morphology_initial, morphology, layout.carrier);
+  validateArray(morphology.finalName(), program.morphology_final, morphology, layout.carrier);
+  validateArray(control.initialName(), program.control_initial, control, layout.carrier);
+  validateArray(control.finalName(), program.control_final, control, layout.carrier);
+}
+
+void validate(const Genome& genome, const EvolutionSettings& settings, const GenomeLayout& layout)
 {
   const DevelopmentalProgram& program = genome.program;
-  validate(program, body);
-  const Lattice lattice(body);
-  for (const TraitSpec& trait : evolvingTraits(settings))
+  validate(program, layout);
+  for (const TraitSpec& trait : evolvingTraits(layout))
   {
-    validateTrait(genome, trait, lattice);
+    validateTrait(genome, trait);
   }
-  if (!specOf(settings.treatment).body_develops)
+  if (!layout.morphology.develops)
   {
-    validateNoDevelopment("size_gene_final", program.size_gene_initial, program.size_gene_final);
+    validateNoDevelopment(layout.morphology.finalName(), program.morphology_initial, program.morphology_final);
   }
-  if (!specOf(settings.treatment).control_develops)
+  if (!layout.control.develops)
   {
-    validateNoDevelopment("phase_final", program.phase_initial, program.phase_final);
+    validateNoDevelopment(layout.control.finalName(), program.control_initial, program.control_final);
   }
-  validateRates(genome.mutation_rate, settings, body);
+  validateRates(genome.mutation_rate, settings, layout);
 }
 
 Hash128 phenotypeHash(const DevelopmentalProgram& program)

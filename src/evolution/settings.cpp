@@ -92,6 +92,7 @@ const std::vector<BoundedField<EvolutionSettings, double>>& evolutionReals()
     { "size_mutation_sigma", &EvolutionSettings::size_mutation_sigma, 0.0, 10.0 },
     { "meta_mutation_sigma", &EvolutionSettings::meta_mutation_sigma, 0.0, 1.0 },
     { "minimum_mutation_rate", &EvolutionSettings::minimum_mutation_rate, 0.0, 1.0 },
+    { "rigid_mutation_sigma", &EvolutionSettings::rigid_mutation_sigma, 0.0, 10.0 },
   };
   return fields;
 }

@@ -69,8 +69,8 @@ void describeSurvivors(const std::vector<Individual>& survivors, GenerationRecor
 }
 }  // namespace
 
-Trial::Trial(const EvolutionSettings& settings, const Lattice& lattice, int64_t number)
-  : settings_(settings), lattice_(lattice), number_(number)
+Trial::Trial(const EvolutionSettings& settings, const Body& body, int64_t number)
+  : settings_(settings), layout_(body.layout(settings)), number_(number)
 {
   settings.validate();
   for (int founder = 0; founder < settings.population; ++founder)
@@ -79,10 +79,10 @@ Trial::Trial(const EvolutionSettings& settings, const Lattice& lattice, int64_t 
   }
 }
 
-Trial::Trial(const EvolutionSettings& settings, const Lattice& lattice, int64_t number, int64_t generation,
+Trial::Trial(const EvolutionSettings& settings, const Body& body, int64_t number, int64_t generation,
              std::vector<Individual> survivors, int64_t next_id)
   : settings_(settings)
-  , lattice_(lattice)
+  , layout_(body.layout(settings))
   , number_(number)
   , generation_(generation)
   , next_id_(next_id)
@@ -112,8 +112,7 @@ void Trial::addNewborn(const Individual* parent)
   newborn.parent = parent ? parent->id : Individual::NO_PARENT;
   newborn.generation = generation_;
   newborn.age = parent ? parent->age : 0;
-  newborn.genome =
-      bornGenome(settings_, lattice_, number_, generation_, newborn.id, parent ? &parent->genome : nullptr);
+  newborn.genome = bornGenome(settings_, layout_, number_, generation_, newborn.id, parent ? &parent->genome : nullptr);
   individuals_.push_back(std::move(newborn));
 }
 
@@ -182,7 +181,7 @@ GenerationRecord Trial::select()
     }
   }
 
-  RandomStream random(settings_.seed, settings_.arm(), number_, generation_, 0, RandomPurpose::SURVIVOR_DRAW);
+  RandomStream random(settings_.seed, layout_.arm, number_, generation_, 0, RandomPurpose::SURVIVOR_DRAW);
   std::vector<Individual> survivors;
   for (const size_t index :
        selectSurvivors(settings_.selection, candidates, static_cast<size_t>(settings_.population), random))
@@ -207,7 +206,7 @@ void Trial::breed()
   {
     ++survivor.age;
   }
-  RandomStream random(settings_.seed, settings_.arm(), number_, generation_, 0, RandomPurpose::PARENT_ORDER);
+  RandomStream random(settings_.seed, layout_.arm, number_, generation_, 0, RandomPurpose::PARENT_ORDER);
   const size_t survivor_count = individuals_.size();
   individuals_.reserve(2 * survivor_count + static_cast<size_t>(settings_.random_injections));
   const bool have_children = settings_.selection != Selection::RANDOM_SEARCH;

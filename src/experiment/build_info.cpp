@@ -48,14 +48,14 @@ std::string versionText()
   return info.commit.empty() ? info.version : info.version + " (" + info.commit + ")";
 }
 
-Provenance localProvenance(const std::string& instruction_set)
+Provenance localProvenance(const std::string& instruction_set, const Body& body)
 {
   Provenance provenance;
   provenance.version = versionText();
   provenance.compiler = buildInfo().compiler;
   provenance.processor = processorName();
   provenance.instruction_set = instruction_set;
-  provenance.engine_fingerprint = engineFingerprint(parseInstructionSet(instruction_set));
+  provenance.engine_fingerprint = body.engineFingerprint(parseInstructionSet(instruction_set));
 
   utsname system{};
   if (uname(&system) == 0)

@@ -40,18 +40,18 @@ public:
     , evaluation_rate_(Clock::now(), std::chrono::seconds(10))
     , generation_rate_(Clock::now(), std::chrono::minutes(10))
   {
-    const Lattice lattice(settings_.body);
+    const std::shared_ptr<const Body> body = makeBody(settings_.body);
     auto states = experiment_.archive_.trialStates();
     for (int64_t number = 1; number <= settings_.trials; ++number)
     {
       const auto state = states.find(number);
       if (state == states.end())
       {
-        trials_.emplace(number, Trial(settings_.evolution, lattice, number));
+        trials_.emplace(number, Trial(settings_.evolution, *body, number));
         generations_left_ += settings_.generations + 1;
         continue;
       }
-      trials_.emplace(number, Trial(settings_.evolution, lattice, number, state->second.generation,
+      trials_.emplace(number, Trial(settings_.evolution, *body, number, state->second.generation,
                                     std::move(state->second.survivors), state->second.next_id));
       generations_left_ += std::max<int64_t>(0, settings_.generations - state->second.generation);
     }

@@ -1,6 +1,6 @@
 #include "devo_evo/experiment/json_lines.h"
 
-#include "devo_evo/soft_body/developmental_program.h"
+#include "devo_evo/bodies/bodies.h"
 #include "devo_evo/soft_body/text.h"
 
 #include <nlohmann/json.hpp>
@@ -15,8 +15,8 @@ namespace
 {
 using Json = nlohmann::json;
 
-// What bounds the length of a line: five arrays of numbers, generously printed, and everything else [bytes].
-constexpr size_t BYTES_PER_VOXEL = 5 * 64;
+// What bounds the length of a line: its numbers, generously printed, and everything else [bytes].
+constexpr size_t BYTES_PER_NUMBER = 64;
 constexpr size_t NOTE_ALLOWANCE = size_t{ 1 } << 20;
 
 /// A value as messages show it: short, however large or deeply nested it is.
@@ -141,19 +141,19 @@ RobotId readId(const Json& robot)
                      "; it must be text or a whole number");
 }
 
-bool has(const Json& robot, const char* name)
+bool has(const Json& robot, const std::string& name)
 {
   const auto field = robot.find(name);
   return field != robot.end() && !field->is_null();
 }
 
-std::vector<double> readArray(const Json& robot, const std::string& name)
+std::vector<double> readArray(const Json& robot, const std::string& name, const std::string& place)
 {
   const auto field = robot.find(name);
   if (field == robot.end() || !field->is_array())
   {
     throw InvalidInput(name + (field == robot.end() ? " is missing" : " is not a list") +
-                       "; it must be a list of one number per voxel");
+                       "; it must be a list of one number per " + place);
   }
   std::vector<double> values;
   values.reserve(field->size());
@@ -169,26 +169,47 @@ std::vector<double> readArray(const Json& robot, const std::string& name)
   return values;
 }
 
-std::vector<double> readArrayOr(const std::vector<double>& absent, const Json& robot, const char* name)
+std::vector<double> readArrayOr(const std::vector<double>& absent, const Json& robot, const std::string& name,
+                                const std::string& place)
 {
-  return has(robot, name) ? readArray(robot, name) : absent;
+  return has(robot, name) ? readArray(robot, name, place) : absent;
 }
 
-void checkGrid(const Json& robot, const SoftBodySettings& settings)
+/// Refuses robots of another kind, whether they say so or have its arrays.
+void checkKind(const Json& robot, const std::string& kind)
 {
-  const Json grid = { settings.grid_x, settings.grid_y, settings.grid_z };
-  if (has(robot, "grid") && robot["grid"] != grid)
+  if (has(robot, "body") && robot["body"] != kind)
+  {
+    throw InvalidInput("body is " + describe(robot["body"]) + ", and the parameter body is " + kind +
+                       "; a robot of that kind of body is needed, or the other parameter");
+  }
+  for (const auto& [name, value] : robot.items())
+  {
+    const auto other = kindWithArray(name);
+    if (other && toString(*other) != kind)
+    {
+      throw InvalidInput("it is a robot with a " + toString(*other) + " body, since it has " + name +
+                         ", and the parameter body is " + kind +
+                         "; a robot of that kind of body is needed, or the other parameter");
+    }
+  }
+}
+
+void checkGrid(const Json& robot, const GenomeLayout& layout)
+{
+  const Json grid = layout.grid;
+  if (has(robot, "grid") && !layout.grid.empty() && robot["grid"] != grid)
   {
     throw InvalidInput("grid does not fit the parameter grid; it must be " + grid.dump());
   }
 }
 
-void checkMutationRates(const std::vector<double>& rates, const SoftBodySettings& settings)
+void checkMutationRates(const std::vector<double>& rates, const GenomeLayout& layout)
 {
-  if (!rates.empty() && rates.size() != static_cast<size_t>(settings.voxelCount()))
+  if (!rates.empty() && rates.size() != layout.morphology.size)
   {
     throw InvalidInput("mutation_rate has " + toText(static_cast<int64_t>(rates.size())) + " values; it must have " +
-                       toText(settings.voxelCount()) + " or none");
+                       toText(static_cast<int64_t>(layout.morphology.size)) + " or none");
   }
   for (size_t i = 0; i < rates.size(); ++i)
   {
@@ -200,32 +221,40 @@ void checkMutationRates(const std::vector<double>& rates, const SoftBodySettings
   }
 }
 
-Genome readGenome(const Json& robot, const SoftBodySettings& settings)
+std::string initialField(const GenomePart& part)
 {
-  checkGrid(robot, settings);
-  Genome genome;
-  DevelopmentalProgram& program = genome.program;
-  program.size_gene_initial = readArray(robot, "size_gene_initial");
-  program.size_gene_final = readArrayOr(program.size_gene_initial, robot, "size_gene_final");
-  program.phase_initial = readArray(robot, "phase_initial_cycles");
-  program.phase_final = readArrayOr(program.phase_initial, robot, "phase_final_cycles");
-  genome.mutation_rate = readArrayOr({}, robot, "mutation_rate");
-  validate(program, settings);
-  checkMutationRates(genome.mutation_rate, settings);
-  return genome;
+  return part.initialName() + part.file_suffix;
 }
 
-nlohmann::ordered_json toJson(const std::optional<double>& number)
+std::string finalField(const GenomePart& part)
 {
-  return number ? nlohmann::ordered_json(*number) : nlohmann::ordered_json();
+  return part.finalName() + part.file_suffix;
+}
+
+Genome readGenome(const Json& robot, const GenomeLayout& layout)
+{
+  checkGrid(robot, layout);
+  Genome genome;
+  const auto read = [&robot](const GenomePart& part, std::vector<double>& initial, std::vector<double>& final)
+  {
+    initial = readArray(robot, initialField(part), part.place);
+    final = readArrayOr(initial, robot, finalField(part), part.place);
+  };
+  read(layout.morphology, genome.program.morphology_initial, genome.program.morphology_final);
+  read(layout.control, genome.program.control_initial, genome.program.control_final);
+  genome.mutation_rate = readArrayOr({}, robot, "mutation_rate", layout.morphology.place);
+  validate(genome.program, layout);
+  checkMutationRates(genome.mutation_rate, layout);
+  return genome;
 }
 }  // namespace
 
-RobotReader::RobotReader(std::istream& input, std::string name, const SoftBodySettings& settings)
+RobotReader::RobotReader(std::istream& input, std::string name, const Body& body)
   : input_(input)
   , name_(std::move(name))
-  , settings_(settings)
-  , longest_line_(NOTE_ALLOWANCE + BYTES_PER_VOXEL * static_cast<size_t>(settings.voxelCount()))
+  , kind_(body.kind())
+  , layout_(body.layout(EvolutionSettings()))
+  , longest_line_(NOTE_ALLOWANCE + BYTES_PER_NUMBER * (3 * layout_.morphology.size + 2 * layout_.control.size))
 {
 }
 
@@ -245,7 +274,8 @@ std::optional<RobotRecord> RobotReader::next()
   {
     const RobotId id = readId(robot);
     place += ", robot " + toJson(id);
-    return RobotRecord{ line_, id, readGenome(robot, settings_) };
+    checkKind(robot, kind_);
+    return RobotRecord{ line_, id, readGenome(robot, layout_) };
   }
   catch (const InvalidInput& error)
   {
@@ -267,7 +297,7 @@ bool RobotReader::readLine()
     if (text_.size() > longest_line_)
     {
       throw InvalidInput(position() + ": the line has more than " + toText(static_cast<int64_t>(longest_line_)) +
-                         " bytes, more than any robot of this grid needs");
+                         " bytes, more than any robot of this size needs");
     }
   }
   constexpr char BYTE_ORDER_MARK[] = "\xef\xbb\xbf";
@@ -283,16 +313,21 @@ std::string RobotReader::position() const
   return name_ + ", line " + toText(line_);
 }
 
-std::string robotToJson(const RobotId& id, const Genome& genome, const SoftBodySettings& settings)
+std::string robotToJson(const RobotId& id, const Genome& genome, const Body& body)
 {
+  const GenomeLayout layout = body.layout(EvolutionSettings());
   const DevelopmentalProgram& program = genome.program;
   nlohmann::ordered_json json;
   std::visit([&json](const auto& value) { json["id"] = value; }, id);
-  json["grid"] = { settings.grid_x, settings.grid_y, settings.grid_z };
-  json["size_gene_initial"] = program.size_gene_initial;
-  json["size_gene_final"] = program.size_gene_final;
-  json["phase_initial_cycles"] = program.phase_initial;
-  json["phase_final_cycles"] = program.phase_final;
+  json["body"] = body.kind();
+  if (!layout.grid.empty())
+  {
+    json["grid"] = layout.grid;
+  }
+  json[initialField(layout.morphology)] = program.morphology_initial;
+  json[finalField(layout.morphology)] = program.morphology_final;
+  json[initialField(layout.control)] = program.control_initial;
+  json[finalField(layout.control)] = program.control_final;
   if (!genome.mutation_rate.empty())
   {
     json["mutation_rate"] = genome.mutation_rate;
@@ -300,28 +335,30 @@ std::string robotToJson(const RobotId& id, const Genome& genome, const SoftBodyS
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-std::string evaluationToJson(const RobotId& id, const Evaluation& evaluation, const SoftBodySettings& settings)
+std::string evaluationToJson(const RobotId& id, const Evaluation& evaluation, const Body& body)
 {
-  nlohmann::ordered_json json;  // writes NaN as null
+  nlohmann::ordered_json json;  // writes what is not a number as null
   std::visit([&json](const auto& value) { json["id"] = value; }, id);
   json["valid"] = evaluation.valid;
-  json["displacement_y_voxels"] = evaluation.displacement_y_voxels;
-  json["displacement_xy_voxels"] = evaluation.displacement_xy_voxels;
   json["fitness"] = evaluation.fitness;
-  json["first_top_contact_since_birth_s"] = toJson(evaluation.first_top_contact_since_birth_s);
-  json["fell_over_since_birth_s"] = toJson(evaluation.fell_over_since_birth_s);
-  json["turns"] = evaluation.turns;
-  json["airborne_fraction"] = evaluation.airborne_fraction;
+  for (const Measure& measure : body.measures())
+  {
+    json[measure.name] = measure.get(evaluation);
+  }
   json["velocity_body_lengths_per_s"] = evaluation.velocity_body_lengths_per_s;
   json["state_hash"] = evaluation.valid ? nlohmann::ordered_json(hashToString(evaluation.state_hash)) : nullptr;
-  if (evaluation.divergence)
+  if (!evaluation.valid)
   {
-    const Divergence& divergence = *evaluation.divergence;
-    json["verdict"] = { { "step", divergence.step },
-                        { "time_s", static_cast<double>(divergence.step) * settings.timeStep() },
-                        { "bond", divergence.bond },
-                        { "strain", divergence.strain },
-                        { "message", divergence.describe(settings.timeStep()) } };
+    nlohmann::ordered_json verdict = { { "time_s", body.failureTime(evaluation) } };
+    for (const Measure& measure : body.failureMeasures())
+    {
+      const double value = measure.get(evaluation);
+      const std::string name = measure.name.substr(std::string("divergence_").size());
+      verdict[name] =
+          measure.whole ? nlohmann::ordered_json(static_cast<int64_t>(value)) : nlohmann::ordered_json(value);
+    }
+    verdict["message"] = body.describeFailure(evaluation);
+    json["verdict"] = verdict;
   }
   return json.dump();
 }

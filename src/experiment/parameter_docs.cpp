@@ -16,6 +16,7 @@ const char* groupTitle(const std::string& group)
     { "evolution", "Evolution" },
     { "body", "Body and lifetime" },
     { "physics", "Physics" },
+    { "rigid body", "Rigid body and its world" },
     { "farm", "Where robots are simulated" },
     { "nodes", "Nodes" },
     { "study", "Studies" },
@@ -90,7 +91,7 @@ std::string parametersAsYaml(const ExperimentSettings& settings)
   std::string text;
   for (const ParameterSpec& spec : parameterSpecs())
   {
-    if (describesExperiment(spec))
+    if (describesExperiment(spec, settings.body.kind))
     {
       text += spec.name + ": " + spec.get(parameters) + "\n";
     }

@@ -9,6 +9,13 @@ namespace
 {
 // ---- kinds, by where the field stands ------------------------------------------------------------------------------
 
+/// A parameter that one kind of body has.
+ParameterSpec only(BodyKind kind, ParameterSpec spec)
+{
+  spec.body = kind;
+  return spec;
+}
+
 ParameterSpec experimentCount(const std::string& name, const std::string& description)
 {
   const auto section = [](auto& parameters) -> auto&
@@ -41,9 +48,19 @@ ParameterSpec bodyNumber(const std::string& name, const std::string& group, cons
 {
   const auto section = [](auto& parameters) -> auto&
   {
-    return parameters.experiment.body;
+    return parameters.experiment.body.soft;
   };
-  return boundedSpec(section, fieldNamed(name, softBodyReals()), group, unit, description);
+  return only(BodyKind::SOFT, boundedSpec(section, fieldNamed(name, softBodyReals()), group, unit, description));
+}
+
+ParameterSpec rigidNumber(const std::string& name, const std::string& unit, const std::string& description)
+{
+  const auto section = [](auto& parameters) -> auto&
+  {
+    return parameters.experiment.body.rigid;
+  };
+  return only(BodyKind::RIGID,
+              boundedSpec(section, fieldNamed(name, rigidBodyReals()), "rigid body", unit, description));
 }
 
 template <class Value>
@@ -59,13 +76,13 @@ ParameterSpec physicsSwitch(const std::string& name, bool SoftBodySettings::*fie
   const auto assign = [field](Parameters& parameters, const ParameterValue& value)
   {
     const auto boolean = asBoolean(value);
-    bool& present = parameters.experiment.body.*field;
+    bool& present = parameters.experiment.body.soft.*field;
     present = boolean.value_or(present);
     return boolean.has_value();
   };
   const auto get = [field](const Parameters& parameters)
-  { return parameters.experiment.body.*field ? "true" : "false"; };
-  return makeSpec({ name, "physics", "", description }, "true or false", assign, get);
+  { return parameters.experiment.body.soft.*field ? "true" : "false"; };
+  return only(BodyKind::SOFT, makeSpec({ name, "physics", "", description }, "true or false", assign, get));
 }
 
 // ---- parameters of a kind of their own -----------------------------------------------------------------------------
@@ -130,7 +147,7 @@ ParameterSpec gridSpec()
   const auto assign = [&fields](Parameters& parameters, const ParameterValue& value)
   {
     const auto sizes = asGrid(value);
-    SoftBodySettings body = parameters.experiment.body;
+    SoftBodySettings body = parameters.experiment.body.soft;
     for (size_t axis = 0; sizes && axis < fields.size(); ++axis)
     {
       if ((*sizes)[axis] < fields[axis].minimum || (*sizes)[axis] > fields[axis].maximum)
@@ -139,12 +156,12 @@ ParameterSpec gridSpec()
       }
       body.*fields[axis].value = static_cast<int>((*sizes)[axis]);
     }
-    parameters.experiment.body = body;
+    parameters.experiment.body.soft = body;
     return sizes.has_value();
   };
   const auto get = [](const Parameters& parameters)
   {
-    const auto& body = parameters.experiment.body;
+    const auto& body = parameters.experiment.body.soft;
     return toText(body.grid_x) + "x" + toText(body.grid_y) + "x" + toText(body.grid_z);
   };
   return makeSpec(
@@ -267,15 +284,16 @@ std::vector<ParameterSpec> experimentSpecs()
     return parameters.experiment.evolution.profile;
   };
   return {
-    choiceSpec(
-        { "treatment", "experiment", "",
-          "What develops over a robot's life: resting lengths and phases (evo_devo), one of them (evo_devo_body, "
-          "evo_devo_control), or nothing (evo)." },
-        treatmentNames(), treatment, parseTreatment),
-    choiceSpec({ "profile", "experiment", "",
-                 "Which is followed where the paper's text and its released code differ (docs/evolution.md)." },
-               "paper or released_code", profile, parseProfile),
-    mutationRateSpec(),
+    choiceSpec({ "treatment", "experiment", "",
+                 "What develops over a robot's life: body and control, of soft robots resting lengths and phases "
+                 "(evo_devo), one of them (evo_devo_body, "
+                 "evo_devo_control), or nothing (evo)." },
+               treatmentNames(), treatment, parseTreatment),
+    only(BodyKind::SOFT,
+         choiceSpec({ "profile", "experiment", "",
+                      "Which is followed where the paper's text and its released code differ (docs/evolution.md)." },
+                    "paper or released_code", profile, parseProfile)),
+    only(BodyKind::SOFT, mutationRateSpec()),
     experimentCount("trials", "Independent repetitions of the evolution, numbered from 1; they advance side by side."),
     experimentCount("generations", "Generations of each trial after generation 0, the founders."),
     seedSpec(),
@@ -285,7 +303,8 @@ std::vector<ParameterSpec> experimentSpecs()
         "random. Empty: all are random. The robots are kept in the archive, and must be the same when it is resumed."),
     pathSpec("output", &ExperimentSettings::output, "folder",
              "Folder for everything the experiment writes; empty: "
-             "$HOME/devo_evo/<treatment>-<profile>-<mutation rate>-seed-<seed>. An experiment in it is resumed."),
+             "$HOME/devo_evo/<treatment>-<profile>-<mutation rate>-seed-<seed>, with rigid bodies "
+             "rigid-<treatment>-seed-<seed>. An experiment in it is resumed."),
   };
 }
 
@@ -302,19 +321,34 @@ std::vector<ParameterSpec> evolutionSpecs()
                "afpo, neutral or random_search", selection, parseSelection),
     evolutionCount("population", "Robots that survive each generation."),
     evolutionCount("random_injections", "Robots of age 0 made at random that join each generation."),
-    evolutionNumber("size_mutation_sigma",
-                    "Standard deviation of a size gene's mutation; 1 is 0.75 cm of resting length at the paper's "
-                    "voxel_size."),
-    evolutionNumber("meta_mutation_sigma",
-                    "Standard deviation of the change of a self-adaptive mutation rate at every reproduction."),
-    evolutionNumber("minimum_mutation_rate", "Lower bound and start of self-adaptive mutation rates."),
+    only(BodyKind::SOFT,
+         evolutionNumber("size_mutation_sigma",
+                         "Standard deviation of a size gene's mutation; 1 is 0.75 cm of resting length at the paper's "
+                         "voxel_size.")),
+    only(BodyKind::SOFT,
+         evolutionNumber("meta_mutation_sigma",
+                         "Standard deviation of the change of a self-adaptive mutation rate at every reproduction.")),
+    only(BodyKind::SOFT,
+         evolutionNumber("minimum_mutation_rate", "Lower bound and start of self-adaptive mutation rates.")),
+    only(BodyKind::RIGID,
+         evolutionNumber("rigid_mutation_sigma",
+                         "Standard deviation of a mutation of a quadruped's weight or leg length, as a share of its "
+                         "range.")),
   };
 }
 
 std::vector<ParameterSpec> bodySpecs()
 {
+  const auto kind = [](auto& parameters) -> auto&
+  {
+    return parameters.experiment.body.kind;
+  };
   return {
-    gridSpec(),
+    choiceSpec({ "body", "body", "",
+                 "The kind of body: voxels, or the rigid quadruped of Fig S5 (docs/bodies.md). Parameters of the other "
+                 "kind must be left at their defaults." },
+               bodyKindNames(), kind, parseBodyKind),
+    only(BodyKind::SOFT, gridSpec()),
     bodyNumber("lifetime", "body", "s",
                "Time tau from birth to the end of an evaluation; 0.5 s of settling comes before it."),
   };
@@ -345,6 +379,35 @@ std::vector<ParameterSpec> physicsSpecs()
   };
 }
 
+std::vector<ParameterSpec> rigidBodySpecs()
+{
+  return {
+    rigidNumber("rigid_lifetime", "s", "Time from birth to the end of an evaluation."),
+    rigidNumber("rigid_time_step", "s", "Time step of the simulation."),
+    rigidNumber("rigid_gravity", "m/s^2", "Gravitational acceleration along -z."),
+    rigidNumber("rigid_slope", "degrees", "By which the floor descends towards +y."),
+    rigidNumber("rigid_friction", "", "Coulomb's coefficient of friction between robot and floor."),
+    rigidNumber("rigid_contact_stiffness", "N/m", "Stiffness of the floor at each contact."),
+    rigidNumber("rigid_contact_damping", "N s/m", "Damping of the floor at each contact."),
+    rigidNumber("rigid_light_distance", "m", "From the place of birth to the foot of the light, along the slope."),
+    rigidNumber("rigid_light_height", "m", "Height of the light above the floor, along its normal."),
+    rigidNumber("rigid_abdomen_radius", "m", "Radius of the spherical abdomen; one body length is twice as much."),
+    rigidNumber("rigid_abdomen_mass", "kg", "Mass of the abdomen."),
+    rigidNumber("rigid_leg_radius", "m", "Radius of the rounded rods that are the legs."),
+    rigidNumber("rigid_leg_mass", "kg", "Mass of each leg."),
+    rigidNumber("rigid_leg_residual", "m", "How far a leg of length 0 protrudes from the abdomen."),
+    rigidNumber("rigid_leg_range", "m", "How much further a leg of length 1 protrudes."),
+    rigidNumber("rigid_hinge_limit", "degrees", "How far a leg swings to either side of its place at rest."),
+    rigidNumber("rigid_hinge_gain", "1/s", "Speed that a hinge's motor seeks, per angle that is missing."),
+    rigidNumber("rigid_hinge_damping", "N m s", "Torque of a hinge's motor, per speed that is missing."),
+    rigidNumber("rigid_hinge_torque", "N m", "Torque that a hinge's motor has at most."),
+    rigidNumber("rigid_actuator_gain", "1/s", "Speed that a linear actuator seeks, per length that is missing."),
+    rigidNumber("rigid_actuator_damping", "N s/m", "Force of a linear actuator, per speed that is missing."),
+    rigidNumber("rigid_actuator_force", "N", "Force that a linear actuator has at most."),
+    rigidNumber("rigid_generator_frequency", "Hz", "Frequency of the central pattern generators."),
+  };
+}
+
 std::vector<ParameterSpec> farmSpecs()
 {
   return {
@@ -372,8 +435,8 @@ std::vector<ParameterSpec> nodesSpecs()
 std::vector<ParameterSpec> allSpecs()
 {
   std::vector<ParameterSpec> specs;
-  for (const auto& group : { experimentSpecs(), evolutionSpecs(), bodySpecs(), physicsSpecs(), farmSpecs(),
-                             nodesSpecs(), studySpecs(), playerSpecs() })
+  for (const auto& group : { experimentSpecs(), evolutionSpecs(), bodySpecs(), physicsSpecs(), rigidBodySpecs(),
+                             farmSpecs(), nodesSpecs(), studySpecs(), playerSpecs() })
   {
     specs.insert(specs.end(), group.begin(), group.end());
   }

@@ -30,11 +30,17 @@ size_t editDistance(const std::string& a, const std::string& b)
 }
 }  // namespace
 
-bool describesExperiment(const ParameterSpec& spec)
+bool describesExperiment(const ParameterSpec& spec, BodyKind kind)
 {
-  static const std::set<std::string> groups = { "experiment", "evolution", "body", "physics" };
+  static const std::set<std::string> groups = { "experiment", "evolution", "body", "physics", "rigid body" };
   static const std::set<std::string> places = { "founders", "output" };
-  return groups.count(spec.group) != 0 && places.count(spec.name) == 0;
+  return groups.count(spec.group) != 0 && places.count(spec.name) == 0 && (!spec.body || *spec.body == kind);
+}
+
+bool describesBody(const ParameterSpec& spec, BodyKind kind)
+{
+  static const std::set<std::string> groups = { "body", "physics", "rigid body" };
+  return groups.count(spec.group) != 0 && (!spec.body || *spec.body == kind);
 }
 
 const ParameterSpec& parameterSpec(const std::string& name)

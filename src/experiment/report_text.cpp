@@ -2,7 +2,6 @@
 
 #include "devo_evo/soft_body/text.h"
 
-#include <charconv>
 #include <cmath>
 #include <map>
 
@@ -10,17 +9,12 @@ namespace devo_evo
 {
 namespace
 {
-std::string describe(const ArchivedIndividual& robot, double lifetime)
+std::string describe(const ArchivedIndividual& robot, const Body& body)
 {
   const Individual& individual = robot.individual;
-  const Evaluation& evaluation = *individual.evaluation;
-  const std::string fall = evaluation.fell_over_since_birth_s
-                               ? "fell over " + fixedText(*evaluation.fell_over_since_birth_s, 2) + " s after birth"
-                               : "never fell over";
   return "Best robot: " + individualName(individual.trial, individual.id) + ", born in generation " +
-         toText(individual.generation) + "\n" +  //
-         "    travelled " + fixedText(evaluation.fitness, 3) + " body lengths in " + toText(lifetime) + " s, made " +
-         fixedText(evaluation.turns, 2) + " turns, " + fall + "\n" +  //
+         toText(individual.generation) + "\n" +                   //
+         "    " + body.describe(*individual.evaluation) + "\n" +  //
          "    developmental windows: W_L " + fixedText(robot.morphology_window, 3) + " (body), W_Phi " +
          fixedText(robot.control_window, 3) + " (control)\n";
 }
@@ -43,17 +37,6 @@ bool inTrouble(const WorkerStatus& worker)
          worker.state == WorkerState::REFUSED || worker.state == WorkerState::QUARANTINED;
 }
 }  // namespace
-
-std::string fixedText(double number, int decimals)
-{
-  if (!std::isfinite(number))
-  {
-    return "-";
-  }
-  char text[512];  // the largest double has 309 digits before the point
-  const auto result = std::to_chars(text, text + sizeof text, number, std::chars_format::fixed, decimals);
-  return std::string(text, result.ptr);
-}
 
 std::string durationText(double seconds)
 {
@@ -78,10 +61,11 @@ std::string durationText(double seconds)
 std::string progressText(const GenerationReport& report, const ExperimentSettings& settings)
 {
   const GenerationRecord& record = report.record;
+  const std::shared_ptr<const Body> body = makeBody(settings.body);
   return "trial " + toText(record.trial) + "/" + toText(settings.trials) + ", generation " + toText(record.generation) +
-         "/" + toText(settings.generations) + ": best " + fixedText(record.best_fitness, 3) + ", median " +
-         fixedText(record.median_fitness, 3) + " body lengths; " + fixedText(report.evaluations_per_s, 1) +
-         " evaluations/s, " + durationText(report.remaining_s) + " left";
+         "/" + toText(settings.generations) + ": best " + body->fitnessText(record.best_fitness) + ", median " +
+         body->fitnessText(record.median_fitness) + " " + body->fitnessUnit() + "; " +
+         fixedText(report.evaluations_per_s, 1) + " evaluations/s, " + durationText(report.remaining_s) + " left";
 }
 
 std::string workersText(const std::vector<WorkerStatus>& workers)
@@ -130,7 +114,7 @@ std::string resultsText(const Archive& archive, const std::string& output)
 {
   const auto best = bestChampion(archive);
   return "Results:    " + archivePath(output) + "\n" +
-         (best ? describe(*best, archive.settings().body.lifetime) : "Best robot: none is valid yet\n") +
+         (best ? describe(*best, *makeBody(archive.settings().body)) : "Best robot: none is valid yet\n") +
          "Digest:     " + archive.digest() + "\n";
 }
 }  // namespace devo_evo

@@ -11,7 +11,7 @@ void makeQuick(Parameters& parameters)
   parameters.experiment.trials = 3;
   parameters.experiment.generations = 20;
   parameters.experiment.evolution.population = 10;
-  parameters.experiment.body.lifetime = 2.0;
+  parameters.experiment.body.soft.lifetime = 2.0;
   StudySettings& study = parameters.study;
   study.baseline_trials = 3;
   study.baseline_generations = 20;

@@ -1,6 +1,7 @@
 #include "devo_evo/experiment/settings.h"
 
 #include "devo_evo/experiment/json_lines.h"
+#include "devo_evo/experiment/parameters.h"
 #include "devo_evo/soft_body/text.h"
 #include "soft_body/check_ranges.h"
 
@@ -22,16 +23,42 @@ const std::vector<BoundedField<ExperimentSettings, int64_t>>& experimentIntegers
   return fields;
 }
 
-void ExperimentSettings::validate() const
+namespace
+{
+/// A parameter of another kind of body would be without effect, which is not what somebody who gives it expects.
+void checkForeignParameters(const ExperimentSettings& settings)
+{
+  Parameters parameters;
+  parameters.experiment = settings;
+  for (const ParameterSpec& spec : parameterSpecs())
+  {
+    const std::string value = spec.get(parameters);
+    if (spec.body && *spec.body != settings.body.kind && value != spec.default_text)
+    {
+      throw InvalidInput(spec.name + " is " + value + ", but it is a parameter of " + toString(*spec.body) +
+                         " bodies, and body is " + toString(settings.body.kind) + "; leave it at " + spec.default_text);
+    }
+  }
+}
+}  // namespace
+
+void ExperimentSettings::validateBody() const
 {
   body.validate();
+  checkForeignParameters(*this);
+}
+
+void ExperimentSettings::validate() const
+{
+  validateBody();
   evolution.validate();
   checkRanges(*this, experimentIntegers());
   if (evolution.founders)
   {
+    const GenomeLayout layout = makeBody(body)->layout(evolution);
     for (const Genome& founder : *evolution.founders)
     {
-      devo_evo::validate(founder, evolution, body);
+      devo_evo::validate(founder, evolution, layout);
     }
   }
   if (output.empty() || output.front() != '/')
@@ -43,18 +70,18 @@ void ExperimentSettings::validate() const
 namespace
 {
 /// What an experiment can go on with: with mutation rates exactly if they evolve.
-Genome asFounder(Genome genome, const ExperimentSettings& settings)
+Genome asFounder(Genome genome, const EvolutionSettings& settings, const GenomeLayout& layout)
 {
   std::vector<double>& rates = genome.mutation_rate;
-  if (settings.evolution.mutation_rate)
+  if (!layout.self_adaptive)
   {
     rates.clear();
   }
   else if (rates.empty())
   {
-    rates.assign(static_cast<size_t>(settings.body.voxelCount()), settings.evolution.minimum_mutation_rate);
+    rates.assign(layout.morphology.size, settings.minimum_mutation_rate);
   }
-  validate(genome, settings.evolution, settings.body);
+  validate(genome, settings, layout);
   return genome;
 }
 
@@ -86,7 +113,9 @@ void loadFounders(ExperimentSettings& settings)
     return;
   }
   std::ifstream file = openFounders(settings.founders);
-  RobotReader reader(file, settings.founders, settings.body);
+  const std::shared_ptr<const Body> body = makeBody(settings.body);
+  const GenomeLayout layout = body->layout(settings.evolution);
+  RobotReader reader(file, settings.founders, *body);
   auto founders = std::make_shared<std::vector<Genome>>();
   while (auto robot = reader.next())
   {
@@ -97,7 +126,7 @@ void loadFounders(ExperimentSettings& settings)
     }
     try
     {
-      founders->push_back(asFounder(std::move(robot->genome), settings));
+      founders->push_back(asFounder(std::move(robot->genome), settings.evolution, layout));
     }
     catch (const InvalidInput& error)
     {
@@ -120,7 +149,7 @@ std::string defaultOutput(const ExperimentSettings& settings)
         "output is not given, and there is no home folder to fall back to (HOME is not set); "
         "it must be an absolute path");
   }
-  std::string arm = settings.evolution.arm();
+  std::string arm = makeBody(settings.body)->layout(settings.evolution).arm;
   std::replace(arm.begin(), arm.end(), '/', '-');
   return std::string(home) + "/devo_evo/" + arm + "-seed-" + toText(settings.evolution.seed);
 }

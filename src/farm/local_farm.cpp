@@ -19,8 +19,8 @@ namespace
 class LocalFarm : public Farm
 {
 public:
-  LocalFarm(const SoftBodySettings& settings, int threads, InstructionSet instruction_set)
-    : settings_(settings), instruction_set_(instruction_set)
+  LocalFarm(std::shared_ptr<const Body> body, int threads, InstructionSet instruction_set)
+    : body_(std::move(body)), instruction_set_(instruction_set)
   {
     for (int i = 0; i < threads; ++i)
     {
@@ -115,7 +115,7 @@ private:
   size_t groupSize() const
   {
     const size_t share = (requests_.size() + idle_ - 1) / idle_;
-    return std::min(share, static_cast<size_t>(laneCount(instruction_set_)));
+    return std::min(share, static_cast<size_t>(body_->laneCount(instruction_set_)));
   }
 
   std::vector<Evaluation> evaluateGroup(const std::vector<EvaluationRequest>& group) const
@@ -125,7 +125,7 @@ private:
     {
       programs.push_back(request.program);
     }
-    return evaluate(settings_, programs, instruction_set_, &stop_);
+    return body_->evaluate(programs, instruction_set_, &stop_);
   }
 
   void deliver(size_t worker, const std::vector<EvaluationRequest>& group, std::vector<Evaluation> evaluations)
@@ -167,7 +167,7 @@ private:
     }
   }
 
-  const SoftBodySettings settings_;
+  const std::shared_ptr<const Body> body_;
   const InstructionSet instruction_set_;
 
   mutable std::mutex mutex_;  // guards everything below but stop_, which is only set under it
@@ -184,13 +184,12 @@ private:
 };
 }  // namespace
 
-std::unique_ptr<Farm> makeLocalFarm(const SoftBodySettings& settings, int threads, InstructionSet instruction_set)
+std::unique_ptr<Farm> makeLocalFarm(std::shared_ptr<const Body> body, int threads, InstructionSet instruction_set)
 {
   if (threads < 1)
   {
     throw InvalidInput("a farm needs 1 thread or more, not " + toText(threads));
   }
-  settings.validate();
-  return std::make_unique<LocalFarm>(settings, threads, instruction_set);
+  return std::make_unique<LocalFarm>(std::move(body), threads, instruction_set);
 }
 }  // namespace devo_evo

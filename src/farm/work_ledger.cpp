@@ -19,7 +19,9 @@ bool equal(const Evaluation& a, const Evaluation& b)
   if (a.valid != b.valid || a.state_hash != b.state_hash || a.divergence.has_value() != b.divergence.has_value() ||
       a.first_top_contact_since_birth_s != b.first_top_contact_since_birth_s ||
       a.fell_over_since_birth_s != b.fell_over_since_birth_s ||
-      a.velocity_body_lengths_per_s != b.velocity_body_lengths_per_s)
+      a.velocity_body_lengths_per_s != b.velocity_body_lengths_per_s ||
+      !std::equal(a.body_measures.begin(), a.body_measures.end(), b.body_measures.begin(), b.body_measures.end(),
+                  sameNumber))
   {
     return false;
   }

@@ -47,11 +47,6 @@ std::string textOf(double number)
   return std::isnan(number) ? "" : toText(number);
 }
 
-std::string textOf(const std::optional<double>& number)
-{
-  return number ? toText(*number) : "";
-}
-
 std::string parentOf(const Individual& individual)
 {
   return individual.parent == Individual::NO_PARENT ? "" : toText(individual.parent);
@@ -60,64 +55,47 @@ std::string parentOf(const Individual& individual)
 /// A column of a table: its name, and its value for each individual.
 struct Column
 {
-  const char* name;
+  std::string name;
   std::function<std::string(const ArchivedIndividual&)> value;
 };
 
-Column measure(const char* name, double Evaluation::*field)
+Column measure(const Measure& measure)
 {
-  return { name, [field](const ArchivedIndividual& archived)
-           { return textOf(archived.individual.evaluation.value().*field); } };
-}
-
-Column moment(const char* name, std::optional<double> Evaluation::*field)
-{
-  return { name, [field](const ArchivedIndividual& archived)
-           { return textOf(archived.individual.evaluation.value().*field); } };
+  return { measure.name, [measure](const ArchivedIndividual& archived)
+           {
+             const double value = measure.get(archived.individual.evaluation.value());
+             return measure.whole && !std::isnan(value) ? toText(static_cast<int64_t>(value)) : textOf(value);
+           } };
 }
 
 /// What a robot is and did: as the columns of the archive.
-const std::vector<Column>& traits()
+std::vector<Column> traits(const Body& body)
 {
-  static const std::vector<Column> columns = {
+  std::vector<Column> columns = {
     { "age", [](const ArchivedIndividual& archived) { return toText(archived.individual.age); } },
     { "valid", [](const ArchivedIndividual& archived) { return archived.individual.evaluation->valid ? "1" : "0"; } },
-    measure("fitness", &Evaluation::fitness),
-    measure("displacement_y_voxels", &Evaluation::displacement_y_voxels),
-    measure("displacement_xy_voxels", &Evaluation::displacement_xy_voxels),
-    moment("first_top_contact_since_birth_s", &Evaluation::first_top_contact_since_birth_s),
-    moment("fell_over_since_birth_s", &Evaluation::fell_over_since_birth_s),
-    measure("turns", &Evaluation::turns),
-    measure("airborne_fraction", &Evaluation::airborne_fraction),
-    { "morphology_window", [](const ArchivedIndividual& archived) { return textOf(archived.morphology_window); } },
-    { "control_window", [](const ArchivedIndividual& archived) { return textOf(archived.control_window); } },
-    { "divergence_step",
-      [](const ArchivedIndividual& archived)
-      {
-        const auto& divergence = archived.individual.evaluation->divergence;
-        return divergence ? toText(divergence->step) : "";
-      } },
-    { "divergence_bond",
-      [](const ArchivedIndividual& archived)
-      {
-        const auto& divergence = archived.individual.evaluation->divergence;
-        return divergence ? toText(divergence->bond) : "";
-      } },
-    { "divergence_strain",
-      [](const ArchivedIndividual& archived)
-      {
-        const auto& divergence = archived.individual.evaluation->divergence;
-        return divergence ? textOf(divergence->strain) : "";
-      } },
-    { "state_hash",
-      [](const ArchivedIndividual& archived)
-      {
-        const Evaluation& evaluation = *archived.individual.evaluation;
-        return evaluation.valid ? hashToString(evaluation.state_hash) : "";
-      } },
-    { "phenotype_hash", [](const ArchivedIndividual& archived) { return toHex(archived.phenotype_hash); } },
-    { "genome_hash", [](const ArchivedIndividual& archived) { return toHex(archived.genome_hash); } },
+    { "fitness", [](const ArchivedIndividual& archived) { return textOf(archived.individual.evaluation->fitness); } },
   };
+  for (const Measure& each : body.measures())
+  {
+    columns.push_back(measure(each));
+  }
+  columns.push_back(
+      { "morphology_window", [](const ArchivedIndividual& archived) { return textOf(archived.morphology_window); } });
+  columns.push_back(
+      { "control_window", [](const ArchivedIndividual& archived) { return textOf(archived.control_window); } });
+  for (const Measure& each : body.failureMeasures())
+  {
+    columns.push_back(measure(each));
+  }
+  columns.push_back({ "state_hash", [](const ArchivedIndividual& archived)
+                      {
+                        const Evaluation& evaluation = *archived.individual.evaluation;
+                        return evaluation.valid ? hashToString(evaluation.state_hash) : "";
+                      } });
+  columns.push_back(
+      { "phenotype_hash", [](const ArchivedIndividual& archived) { return toHex(archived.phenotype_hash); } });
+  columns.push_back({ "genome_hash", [](const ArchivedIndividual& archived) { return toHex(archived.genome_hash); } });
   return columns;
 }
 
@@ -200,12 +178,13 @@ void writeNewick(const std::vector<Descendant>& descendants, const LineSink& sin
   }
 }
 
-void writeAlifeStandard(const std::vector<Descendant>& descendants, const LineSink& sink)
+void writeAlifeStandard(const std::vector<Descendant>& descendants, const Body& body, const LineSink& sink)
 {
+  const std::vector<Column> columns = traits(body);
   std::string header = "id,ancestor_list,origin_time,destruction_time,trait_trial";
-  for (const Column& column : traits())
+  for (const Column& column : columns)
   {
-    header += std::string(",trait_") + column.name;
+    header += ",trait_" + column.name;
   }
   sink(header);
   for (const Descendant& descendant : descendants)
@@ -215,7 +194,7 @@ void writeAlifeStandard(const std::vector<Descendant>& descendants, const LineSi
     std::string line = toText(individual.id) + ",[" + (parent.empty() ? "none" : parent) + "]," +
                        toText(individual.generation) + "," + (descendant.death ? toText(*descendant.death) : "inf") +
                        "," + toText(individual.trial);
-    for (const Column& column : traits())
+    for (const Column& column : columns)
     {
       line += "," + column.value(descendant.archived);
     }
@@ -223,12 +202,13 @@ void writeAlifeStandard(const std::vector<Descendant>& descendants, const LineSi
   }
 }
 
-void writeCsv(const std::vector<Descendant>& descendants, const LineSink& sink)
+void writeCsv(const std::vector<Descendant>& descendants, const Body& body, const LineSink& sink)
 {
+  const std::vector<Column> columns = traits(body);
   std::string header = "trial,id,parent,generation,death";
-  for (const Column& column : traits())
+  for (const Column& column : columns)
   {
-    header += std::string(",") + column.name;
+    header += "," + column.name;
   }
   sink(header);
   for (const Descendant& descendant : descendants)
@@ -236,7 +216,7 @@ void writeCsv(const std::vector<Descendant>& descendants, const LineSink& sink)
     const Individual& individual = descendant.archived.individual;
     std::string line = toText(individual.trial) + "," + toText(individual.id) + "," + parentOf(individual) + "," +
                        toText(individual.generation) + "," + (descendant.death ? toText(*descendant.death) : "");
-    for (const Column& column : traits())
+    for (const Column& column : columns)
     {
       line += "," + column.value(descendant.archived);
     }

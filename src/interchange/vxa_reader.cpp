@@ -301,10 +301,10 @@ private:
   void readProgram(const VxaTag& structure)
   {
     DevelopmentalProgram& program = robot_.genome.program;
-    program.size_gene_initial = readLayers(structure.child("InitialVoxelSize"), -1.0, 1.0);
-    program.phase_initial = readLayers(structure.child("PhaseOffset"), -1.0, 1.0);
-    program.size_gene_final = program.size_gene_initial;
-    program.phase_final = program.phase_initial;
+    program.morphology_initial = readLayers(structure.child("InitialVoxelSize"), -1.0, 1.0);
+    program.control_initial = readLayers(structure.child("PhaseOffset"), -1.0, 1.0);
+    program.morphology_final = program.morphology_initial;
+    program.control_final = program.control_initial;
     const auto final_size = structure.optionalChild("FinalVoxelSize");
     const auto final_phase = structure.optionalChild("FinalPhaseOffset");
     if (final_phase && !final_size)
@@ -313,11 +313,11 @@ private:
     }
     if (final_size)
     {
-      program.size_gene_final = readLayers(*final_size, -1.0, 1.0);
+      program.morphology_final = readLayers(*final_size, -1.0, 1.0);
     }
     if (final_phase)
     {
-      program.phase_final = readLayers(*final_phase, -1.0, 1.0);
+      program.control_final = readLayers(*final_phase, -1.0, 1.0);
     }
   }
 

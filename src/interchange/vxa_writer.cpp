@@ -244,16 +244,16 @@ private:
     close();
     // Without development there are no final values, as in the released Evo experiments.
     const bool develops =
-        program.size_gene_final != program.size_gene_initial || program.phase_final != program.phase_initial;
-    layers("InitialVoxelSize", program.size_gene_initial);
+        program.morphology_final != program.morphology_initial || program.control_final != program.control_initial;
+    layers("InitialVoxelSize", program.morphology_initial);
     if (develops)
     {
-      layers("FinalVoxelSize", program.size_gene_final);
+      layers("FinalVoxelSize", program.morphology_final);
     }
-    layers("PhaseOffset", program.phase_initial);
+    layers("PhaseOffset", program.control_initial);
     if (develops)
     {
-      layers("FinalPhaseOffset", program.phase_final);
+      layers("FinalPhaseOffset", program.control_final);
     }
     close();
   }

@@ -207,7 +207,7 @@ void filmLineage(const Archive& archive, const Lineage& lineage, const std::vect
   int64_t pictures = CountedFilm::stillPictures(format.pictures_per_s, title_s);
   for (size_t step = 0; step < positions.size(); ++step)
   {
-    pictures += picturesOfLife(lineage.settings.body, viewOf(format, speed_of(step))) +
+    pictures += picturesOfLife(softSettings(lineage.settings.body, "films"), viewOf(format, speed_of(step))) +
                 CountedFilm::stillPictures(format.pictures_per_s, END_STILL);
   }
   LifePainter painter(width, format.height, format.colouring);

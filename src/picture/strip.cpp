@@ -21,7 +21,7 @@ int mostDeveloping(const ShownRobot& robot)
   const auto change = [&](int voxel)
   {
     const auto i = static_cast<size_t>(voxel);
-    return std::abs(robot.program.size_gene_final[i] - robot.program.size_gene_initial[i]);
+    return std::abs(robot.program.morphology_final[i] - robot.program.morphology_initial[i]);
   };
   const Lattice lattice(robot.body);
   return *std::max_element(lattice.surface().begin(), lattice.surface().end(),

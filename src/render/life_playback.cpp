@@ -60,10 +60,10 @@ RobotFrame LifePlayback::frame() const
     const auto i = static_cast<size_t>(voxel);
     const VoxelState state = simulation_->voxel(0, voxel);
     const double resting_length = simulation_->restingLength(0, voxel);
-    const double final_length = settings_.voxel_size * (1.0 + SIZE_RANGE * program_.size_gene_final[i]);
+    const double final_length = settings_.voxel_size * (1.0 + SIZE_RANGE * program_.morphology_final[i]);
     frame.voxels.push_back(
         { state.position, state.orientation, state.scale, resting_length, final_length - resting_length,
-          program_.phase_initial[i] + life_fraction * (program_.phase_final[i] - program_.phase_initial[i]) });
+          program_.control_initial[i] + life_fraction * (program_.control_final[i] - program_.control_initial[i]) });
   }
   return frame;
 }

@@ -35,7 +35,7 @@ ShownRobot toShow(const ArchivedIndividual& archived, const ExperimentSettings& 
   {
     throw InvalidInput("the genome of individual " + robot.name + " was not kept and cannot be had again");
   }
-  robot.body = settings.body;
+  robot.body = softSettings(settings.body, "players and pictures");
   robot.program = individual.genome.program;
   robot.descent = Descent{ individual.trial,
                            individual.id,
@@ -119,7 +119,8 @@ std::optional<ShownRobot> findRobot(const Archive& archive, const RobotChoice& c
 ShownRobot readRobotFile(const std::string& path, const std::string& id, const SoftBodySettings& body)
 {
   std::ifstream file = openFile(path);
-  RobotReader reader(file, path, body);
+  const std::shared_ptr<const Body> kind = makeSoftBody(body);
+  RobotReader reader(file, path, *kind);
   while (const std::optional<RobotRecord> record = reader.next())
   {
     if (id.empty() || textOf(record->id) == id)

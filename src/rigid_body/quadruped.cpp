@@ -11,6 +11,7 @@ namespace devo_evo
 namespace
 {
 constexpr double TWO_PI = 6.283185307179586;
+constexpr double VELOCITY_WINDOW = 0.5;  // [s]
 
 const RigidBodySettings& checked(const RigidBodySettings& settings)
 {
@@ -44,6 +45,7 @@ public:
     , program_(checked(program))
     , body_(settings, program.leg_length_initial)
     , birth_(body_.abdomen().position)
+    , window_start_(birth_)
   {
   }
 
@@ -84,6 +86,7 @@ public:
     result.airborne_fraction = static_cast<double>(airborne_) / steps;
     result.first_abdomen_contact_s = first_abdomen_contact_;
     result.first_roll_s = first_roll_;
+    result.velocity = velocity_;
     result.state_hash = body_.stateHash();
     return result;
   }
@@ -132,6 +135,24 @@ private:
     {
       first_roll_ = time();
     }
+    if (windowEnds())
+    {
+      endWindow(abdomen.position);
+    }
+  }
+
+  bool windowEnds() const
+  {
+    const double end = VELOCITY_WINDOW * static_cast<double>(velocity_.size() + 1);
+    return steps_ == settings_.stepCount() || (static_cast<double>(steps_) + 0.5) * settings_.time_step > end;
+  }
+
+  void endWindow(const Eigen::Vector3d& position)
+  {
+    const double duration = static_cast<double>(steps_ - window_start_step_) * settings_.time_step;
+    velocity_.push_back((position - window_start_).dot(body_.downhill()) / duration);
+    window_start_ = position;
+    window_start_step_ = steps_;
   }
 
   const RigidBodySettings settings_;
@@ -147,6 +168,9 @@ private:
   int64_t airborne_ = 0;
   std::optional<double> first_abdomen_contact_;
   std::optional<double> first_roll_;
+  Eigen::Vector3d window_start_;  // where the abdomen was when the present velocity window began
+  int64_t window_start_step_ = 0;
+  std::vector<double> velocity_;
 };
 
 QuadrupedSimulation::QuadrupedSimulation(const RigidBodySettings& settings, const QuadrupedProgram& program)

@@ -15,7 +15,7 @@ bool answer(const std::string& output, const Request& request, Response& respons
   {
     const std::unique_ptr<Archive> archive = openArchiveForReading(output);
     const int64_t id = request.id == Request::CHAMPION ? archive->championOf(request.trial) : request.id;
-    read(*archive, archive->settings().evolution, id);
+    read(*archive, archive->settings(), id);
     response.success = true;
   }
   catch (const std::exception& e)
@@ -37,14 +37,14 @@ ArchiveServices::ArchiveServices(ros::NodeHandle node, const std::string& output
 bool ArchiveServices::individual(GetIndividual::Request& request, GetIndividual::Response& response)
 {
   return answer(output_, request, response,
-                [&](const Archive& archive, const EvolutionSettings& settings, int64_t id)
+                [&](const Archive& archive, const ExperimentSettings& settings, int64_t id)
                 { response.individual = toMsg(archive.readIndividual(request.trial, id), settings); });
 }
 
 bool ArchiveServices::lineage(GetLineage::Request& request, GetLineage::Response& response)
 {
   return answer(output_, request, response,
-                [&](const Archive& archive, const EvolutionSettings& settings, int64_t id)
+                [&](const Archive& archive, const ExperimentSettings& settings, int64_t id)
                 {
                   for (const ArchivedIndividual& ancestor : archive.readLineage(request.trial, id))
                   {

@@ -47,10 +47,10 @@ BatchDisplay::~BatchDisplay()
   thread_.join();
 }
 
-void BatchDisplay::offer(const SoftBodySettings& settings, const std::vector<EvaluationRequest>& robots,
+void BatchDisplay::offer(const BodySettings& settings, const std::vector<EvaluationRequest>& robots,
                          const std::vector<Evaluation>& evaluations)
 {
-  if (robots.empty() || !watched())
+  if (robots.empty() || settings.kind != BodyKind::SOFT || !watched())
   {
     return;
   }
@@ -63,7 +63,7 @@ void BatchDisplay::offer(const SoftBodySettings& settings, const std::vector<Eva
   }
   {
     std::lock_guard<std::mutex> lock(mutex_);
-    robot_ = Robot{ settings, robots[static_cast<size_t>(best - evaluations.begin())], *best };
+    robot_ = Robot{ settings.soft, robots[static_cast<size_t>(best - evaluations.begin())], *best };
   }
   offered_.notify_all();
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "devo_evo/bodies/bodies.h"
 #include "devo_evo/farm/farm.h"
 #include "devo_evo/soft_body/evaluation.h"
 #include "devo_evo/soft_body/settings.h"
@@ -38,7 +39,7 @@ public:
   BatchDisplay& operator=(const BatchDisplay&) = delete;
 
   /// Tells of a batch; takes no time unless somebody subscribes. From any thread.
-  void offer(const SoftBodySettings& settings, const std::vector<EvaluationRequest>& robots,
+  void offer(const BodySettings& settings, const std::vector<EvaluationRequest>& robots,
              const std::vector<Evaluation>& evaluations);
 
 private:

@@ -1,12 +1,13 @@
 #include "ros/conversions.h"
 
-#include "devo_evo/soft_body/lattice.h"
+#include "devo_evo/experiment/parameters.h"
 #include "devo_evo/soft_body/text.h"
 
 #include <ros/names.h>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace devo_evo
 {
@@ -22,90 +23,67 @@ void require(bool condition, const std::string& what)
   }
 }
 
-double orNone(const std::optional<double>& value)
-{
-  return value.value_or(Evaluation::NONE);
-}
-
-std::optional<double> noneIfNan(double value)
-{
-  return std::isnan(value) ? std::nullopt : std::optional<double>(value);
-}
-
-void requireFinite(const char* name, double value)
-{
-  require(std::isfinite(value), std::string(name) + " is " + toText(value) + "; it must be finite");
-}
-
 void requireWithin(const char* name, double value, double low, double high)
 {
   require(value >= low && value <= high,
           std::string(name) + " is " + toText(value) + "; it must lie within " + toText(low) + " to " + toText(high));
 }
 
-/// A time since birth that may never have come.
-std::optional<double> eventTime(const char* name, double value, const SoftBodySettings& settings)
+std::vector<NamedNumber> toMsg(const std::vector<Measure>& measures, const Evaluation& evaluation)
 {
-  if (!std::isnan(value))
+  std::vector<NamedNumber> numbers;
+  for (const Measure& measure : measures)
   {
-    requireWithin(name, value, 0.0, settings.lifetime + 2.0 * settings.timeStep());
+    NamedNumber number;
+    number.name = measure.name;
+    number.value = measure.get(evaluation);
+    numbers.push_back(number);
   }
-  return noneIfNan(value);
+  return numbers;
 }
 
-Evaluation validEvaluation(const RobotEvaluation& message, const SoftBodySettings& settings)
+/// Sets what was measured. @param field of the message, for errors.
+void read(const std::vector<NamedNumber>& numbers, const std::vector<Measure>& measures, const char* field,
+          Evaluation& evaluation)
 {
-  requireFinite("fitness", message.fitness);
-  requireFinite("displacement_y_voxels", message.displacement_y_voxels);
-  requireFinite("displacement_xy_voxels", message.displacement_xy_voxels);
-  requireFinite("turns", message.turns);
-  requireWithin("airborne_fraction", message.airborne_fraction, 0.0, 1.0);
-  const double travelled = message.fitness * settings.grid_y;
-  require(std::abs(travelled - message.displacement_y_voxels) <= 1e-9 * (1.0 + std::abs(travelled)),
-          "fitness and displacement_y_voxels contradict each other");
-  requireWithin("the number of velocity windows", static_cast<double>(message.velocity.size()),
-                std::floor(settings.lifetime / WINDOW), std::ceil(settings.lifetime / WINDOW));
-  for (const double velocity : message.velocity)
+  require(numbers.size() == measures.size(),
+          std::string(field) + " has " + toText(static_cast<int64_t>(numbers.size())) +
+              " numbers where there must be " + toText(static_cast<int64_t>(measures.size())));
+  for (size_t i = 0; i < measures.size(); ++i)
   {
-    requireFinite("velocity", velocity);
+    const Measure& measure = measures[i];
+    const double value = numbers[i].value;
+    require(numbers[i].name == measure.name,
+            std::string(field) + " has \"" + numbers[i].name.substr(0, 80) + "\" where there must be " + measure.name);
+    require(!measure.whole || (value >= measure.minimum && value <= measure.maximum && value == std::floor(value)),
+            measure.name + " is " + toText(value) + "; it must be a whole number within " + toText(measure.minimum) +
+                " to " + toText(measure.maximum));
+    measure.set(evaluation, value);
   }
-  require(message.divergence_step == 0 && message.divergence_bond == 0 && message.divergence_strain == 0.0,
-          "a valid evaluation has a divergence");
-
-  Evaluation evaluation;
-  evaluation.valid = true;
-  evaluation.fitness = message.fitness;
-  evaluation.displacement_y_voxels = message.displacement_y_voxels;
-  evaluation.displacement_xy_voxels = message.displacement_xy_voxels;
-  evaluation.first_top_contact_since_birth_s =
-      eventTime("first_top_contact_since_birth", message.first_top_contact_since_birth, settings);
-  evaluation.fell_over_since_birth_s = eventTime("fell_over_since_birth", message.fell_over_since_birth, settings);
-  evaluation.turns = message.turns;
-  evaluation.airborne_fraction = message.airborne_fraction;
-  evaluation.velocity_body_lengths_per_s = message.velocity;
-  evaluation.state_hash = message.state_hash;
-  return evaluation;
 }
 
-Evaluation divergedEvaluation(const RobotEvaluation& message, const SoftBodySettings& settings)
+/// The values of an array that a genome must have once.
+const std::vector<double>& arrayNamed(const std::string& name, const RobotGenome& message)
 {
-  for (const double measure : { message.fitness, message.displacement_y_voxels, message.displacement_xy_voxels,
-                                message.first_top_contact_since_birth, message.fell_over_since_birth, message.turns,
-                                message.airborne_fraction })
+  const std::vector<double>* values = nullptr;
+  for (const NamedArray& array : message.arrays)
   {
-    require(std::isnan(measure), "an invalid evaluation has measures");
+    if (array.name == name)
+    {
+      require(values == nullptr, "the genome has " + name + " twice");
+      values = &array.values;
+    }
   }
-  require(message.velocity.empty() && message.state_hash == 0, "an invalid evaluation has velocities or a hash");
-  requireWithin("divergence_step", static_cast<double>(message.divergence_step), 1.0,
-                (SETTLING_TIME + settings.lifetime) / settings.timeStep() + 2.0);
-  requireWithin("divergence_bond", message.divergence_bond, 0.0,
-                static_cast<double>(Lattice(settings).bonds().size()) - 1.0);
-  require(!(message.divergence_strain <= 100.0),
-          "divergence_strain is " + toText(message.divergence_strain) + "; it must not be at most 100");
+  require(values != nullptr, "the genome has no " + name);
+  return *values;
+}
 
-  Evaluation evaluation;
-  evaluation.divergence = Divergence{ message.divergence_step, message.divergence_bond, message.divergence_strain };
-  return evaluation;
+NamedArray named(const std::string& name, const std::vector<double>& values)
+{
+  NamedArray array;
+  array.name = name;
+  array.values = values;
+  return array;
 }
 
 void requireLabel(const char* field, const std::string& text)
@@ -135,80 +113,76 @@ ros::Time wallStamp()
   return ros::Time(now.sec, now.nsec);
 }
 
-EvaluationSettings toMsg(const SoftBodySettings& settings)
+EvaluationSettings toMsg(const BodySettings& settings)
 {
+  Parameters parameters;
+  parameters.experiment.body = settings;
   EvaluationSettings message;
-  message.grid_x = settings.grid_x;
-  message.grid_y = settings.grid_y;
-  message.grid_z = settings.grid_z;
-  message.lifetime = settings.lifetime;
-  message.voxel_size = settings.voxel_size;
-  message.density = settings.density;
-  message.youngs_modulus = settings.youngs_modulus;
-  message.poissons_ratio = settings.poissons_ratio;
-  message.static_friction = settings.static_friction;
-  message.dynamic_friction = settings.dynamic_friction;
-  message.gravity = settings.gravity;
-  message.slope = settings.slope;
-  message.bond_damping = settings.bond_damping;
-  message.contact_damping = settings.contact_damping;
-  message.global_damping = settings.global_damping;
-  message.time_step_fraction = settings.time_step_fraction;
-  message.actuation_frequency = settings.actuation_frequency;
-  message.actuation_amplitude = settings.actuation_amplitude;
-  message.self_collision = settings.self_collision;
-  message.sideways_bend_test = settings.sideways_bend_test;
+  for (const ParameterSpec& spec : parameterSpecs())
+  {
+    if (describesBody(spec, settings.kind))
+    {
+      message.names.push_back(spec.name);
+      message.values.push_back(spec.get(parameters));
+    }
+  }
   return message;
 }
 
-SoftBodySettings fromMsg(const EvaluationSettings& message)
+BodySettings fromMsg(const EvaluationSettings& message)
 {
-  SoftBodySettings settings;
-  settings.grid_x = message.grid_x;
-  settings.grid_y = message.grid_y;
-  settings.grid_z = message.grid_z;
-  settings.lifetime = message.lifetime;
-  settings.voxel_size = message.voxel_size;
-  settings.density = message.density;
-  settings.youngs_modulus = message.youngs_modulus;
-  settings.poissons_ratio = message.poissons_ratio;
-  settings.static_friction = message.static_friction;
-  settings.dynamic_friction = message.dynamic_friction;
-  settings.gravity = message.gravity;
-  settings.slope = message.slope;
-  settings.bond_damping = message.bond_damping;
-  settings.contact_damping = message.contact_damping;
-  settings.global_damping = message.global_damping;
-  settings.time_step_fraction = message.time_step_fraction;
-  settings.actuation_frequency = message.actuation_frequency;
-  settings.actuation_amplitude = message.actuation_amplitude;
-  settings.self_collision = message.self_collision;
-  settings.sideways_bend_test = message.sideways_bend_test;
-  settings.validate();
-  return settings;
+  require(message.names.size() == message.values.size(), "names and values of the settings must have the same size");
+  std::map<std::string, std::string> given;
+  for (size_t i = 0; i < message.names.size(); ++i)
+  {
+    require(given.emplace(message.names[i], message.values[i]).second,
+            "the settings have " + message.names[i].substr(0, 80) + " twice");
+  }
+  require(given.count("body") != 0, "the settings have no body");
+  const BodyKind kind = parseBodyKind(given.at("body"));
+  Parameters parameters;
+  size_t taken = 0;
+  for (const ParameterSpec& spec : parameterSpecs())
+  {
+    if (describesBody(spec, kind))
+    {
+      require(given.count(spec.name) != 0, "the settings have no " + spec.name);
+      spec.set(parameters, given.at(spec.name));
+      ++taken;
+    }
+  }
+  require(taken == given.size(), "the settings have parameters that a " + toString(kind) + " body has not");
+  parameters.experiment.body.validate();
+  return parameters.experiment.body;
 }
 
-RobotGenome toMsg(const Genome& genome)
+RobotGenome toMsg(const Genome& genome, const Body& body)
 {
+  const GenomeLayout layout = body.layout(EvolutionSettings());
   RobotGenome message;
-  message.size_gene_initial = genome.program.size_gene_initial;
-  message.size_gene_final = genome.program.size_gene_final;
-  message.phase_initial = genome.program.phase_initial;
-  message.phase_final = genome.program.phase_final;
+  message.body = body.kind();
+  message.arrays = { named(layout.morphology.initialName(), genome.program.morphology_initial),
+                     named(layout.morphology.finalName(), genome.program.morphology_final),
+                     named(layout.control.initialName(), genome.program.control_initial),
+                     named(layout.control.finalName(), genome.program.control_final) };
   message.mutation_rate = genome.mutation_rate;
   return message;
 }
 
-Genome fromMsg(const RobotGenome& message, const SoftBodySettings& settings)
+Genome fromMsg(const RobotGenome& message, const Body& body)
 {
+  require(message.body == body.kind(), "the genome is one of a \"" + message.body.substr(0, 80) +
+                                           "\" body where one of a " + body.kind() + " body is needed");
+  const GenomeLayout layout = body.layout(EvolutionSettings());
   Genome genome;
-  genome.program.size_gene_initial = message.size_gene_initial;
-  genome.program.size_gene_final = message.size_gene_final;
-  genome.program.phase_initial = message.phase_initial;
-  genome.program.phase_final = message.phase_final;
-  validate(genome.program, settings);
-  require(message.mutation_rate.empty() || message.mutation_rate.size() == genome.program.phase_initial.size(),
-          "mutation_rate must have no values or one per voxel");
+  genome.program.morphology_initial = arrayNamed(layout.morphology.initialName(), message);
+  genome.program.morphology_final = arrayNamed(layout.morphology.finalName(), message);
+  genome.program.control_initial = arrayNamed(layout.control.initialName(), message);
+  genome.program.control_final = arrayNamed(layout.control.finalName(), message);
+  require(message.arrays.size() == 4, "the genome has arrays that a " + body.kind() + " body has not");
+  body.validate(genome.program);
+  require(message.mutation_rate.empty() || message.mutation_rate.size() == layout.morphology.size,
+          "mutation_rate must have no values or one per " + layout.morphology.place);
   for (const double rate : message.mutation_rate)
   {
     requireWithin("mutation_rate", rate, 0.0, 1.0);
@@ -217,35 +191,43 @@ Genome fromMsg(const RobotGenome& message, const SoftBodySettings& settings)
   return genome;
 }
 
-RobotEvaluation toMsg(const Evaluation& evaluation, int64_t trial, int64_t id)
+RobotEvaluation toMsg(const Evaluation& evaluation, int64_t trial, int64_t id, const Body& body)
 {
   RobotEvaluation message;
   message.trial = trial;
   message.id = id;
   message.valid = evaluation.valid;
   message.fitness = evaluation.fitness;
-  message.displacement_y_voxels = evaluation.displacement_y_voxels;
-  message.displacement_xy_voxels = evaluation.displacement_xy_voxels;
-  message.first_top_contact_since_birth = orNone(evaluation.first_top_contact_since_birth_s);
-  message.fell_over_since_birth = orNone(evaluation.fell_over_since_birth_s);
-  message.turns = evaluation.turns;
-  message.airborne_fraction = evaluation.airborne_fraction;
   message.velocity = evaluation.velocity_body_lengths_per_s;
   message.state_hash = evaluation.state_hash;
-  const Divergence divergence = evaluation.divergence.value_or(Divergence());
-  message.divergence_step = divergence.step;
-  message.divergence_bond = divergence.bond;
-  message.divergence_strain = divergence.strain;
+  if (evaluation.valid)
+  {
+    message.measures = toMsg(body.measures(), evaluation);
+  }
+  else
+  {
+    message.failure = toMsg(body.failureMeasures(), evaluation);
+  }
   return message;
 }
 
-Evaluation fromMsg(const RobotEvaluation& message, const SoftBodySettings& settings)
+Evaluation fromMsg(const RobotEvaluation& message, const Body& body)
 {
-  return message.valid ? validEvaluation(message, settings) : divergedEvaluation(message, settings);
+  Evaluation evaluation;
+  evaluation.valid = message.valid;
+  evaluation.fitness = message.fitness;
+  evaluation.velocity_body_lengths_per_s = message.velocity;
+  evaluation.state_hash = message.state_hash;
+  read(message.measures, message.valid ? body.measures() : std::vector<Measure>(), "measures", evaluation);
+  read(message.failure, message.valid ? std::vector<Measure>() : body.failureMeasures(), "failure", evaluation);
+  body.validate(evaluation);
+  return evaluation;
 }
 
-EvolvedRobot toMsg(const Individual& champion, int64_t generation, const EvolutionSettings& settings)
+EvolvedRobot toMsg(const Individual& champion, int64_t generation, const ExperimentSettings& settings)
 {
+  const std::shared_ptr<const Body> body = makeBody(settings.body);
+  const GenomeLayout layout = body->layout(settings.evolution);
   EvolvedRobot message;
   message.trial = champion.trial;
   message.id = champion.id;
@@ -253,15 +235,15 @@ EvolvedRobot toMsg(const Individual& champion, int64_t generation, const Evoluti
   message.born = champion.generation;
   message.generation = generation;
   message.age = champion.age;
-  message.treatment = toString(settings.treatment);
-  message.morphology_window = morphologyWindow(champion.genome.program);
-  message.control_window = controlWindow(champion.genome.program, settings.phaseLimit());
-  message.genome = toMsg(champion.genome);
-  message.evaluation = toMsg(champion.evaluation.value_or(Evaluation()), champion.trial, champion.id);
+  message.treatment = toString(settings.evolution.treatment);
+  message.morphology_window = morphologyWindow(champion.genome.program, layout);
+  message.control_window = controlWindow(champion.genome.program, layout);
+  message.genome = toMsg(champion.genome, *body);
+  message.evaluation = toMsg(champion.evaluation.value_or(Evaluation()), champion.trial, champion.id, *body);
   return message;
 }
 
-EvolvedRobot toMsg(const ArchivedIndividual& archived, const EvolutionSettings& settings)
+EvolvedRobot toMsg(const ArchivedIndividual& archived, const ExperimentSettings& settings)
 {
   EvolvedRobot message = toMsg(archived.individual, archived.individual.generation, settings);
   // The archive knows the windows also of genomes that it does not keep.
@@ -274,6 +256,8 @@ GenerationSummary toMsg(const GenerationReport& report, const ExperimentSettings
 {
   const GenerationRecord& record = report.record;
   const DevelopmentalProgram& program = report.champion.genome.program;
+  const std::shared_ptr<const Body> body = makeBody(settings.body);
+  const GenomeLayout layout = body->layout(settings.evolution);
   GenerationSummary message;
   message.header.stamp = wallStamp();
   message.trial = record.trial;
@@ -282,10 +266,11 @@ GenerationSummary toMsg(const GenerationReport& report, const ExperimentSettings
   message.generations = settings.generations;
   message.best_fitness = record.best_fitness;
   message.median_fitness = record.median_fitness;
+  message.fitness_unit = body->fitnessUnit();
   message.champion = record.champion;
   message.champion_age = report.champion.age;
-  message.champion_morphology_window = morphologyWindow(program);
-  message.champion_control_window = controlWindow(program, settings.evolution.phaseLimit());
+  message.champion_morphology_window = morphologyWindow(program, layout);
+  message.champion_control_window = controlWindow(program, layout);
   message.newcomers = static_cast<int64_t>(record.newcomers.size());
   message.evaluations = report.evaluations;
   message.invalid =
@@ -297,8 +282,8 @@ GenerationSummary toMsg(const GenerationReport& report, const ExperimentSettings
   return message;
 }
 
-EvaluateGenomes::Request toRequest(const std::vector<EvaluationRequest>& robots, const SoftBodySettings& settings,
-                                   uint64_t engine_fingerprint)
+EvaluateGenomes::Request toRequest(const std::vector<EvaluationRequest>& robots, const BodySettings& settings,
+                                   const Body& body, uint64_t engine_fingerprint)
 {
   EvaluateGenomes::Request request;
   request.engine_fingerprint = engine_fingerprint;
@@ -307,7 +292,7 @@ EvaluateGenomes::Request toRequest(const std::vector<EvaluationRequest>& robots,
   {
     request.trial.push_back(robot.trial);
     request.id.push_back(robot.id);
-    request.genomes.push_back(toMsg(Genome{ robot.program, {} }));
+    request.genomes.push_back(toMsg(Genome{ robot.program, {} }, body));
   }
   return request;
 }
@@ -323,7 +308,7 @@ std::optional<std::string> quarantineOf(const EvaluateGenomes::Request& request)
   return request.quarantine;
 }
 
-std::vector<EvaluationRequest> robotsOf(const EvaluateGenomes::Request& request, const SoftBodySettings& settings)
+std::vector<EvaluationRequest> robotsOf(const EvaluateGenomes::Request& request, const Body& body)
 {
   const size_t count = request.genomes.size();
   require(count <= EvaluateGenomes::Request::MAX_GENOMES,
@@ -337,7 +322,7 @@ std::vector<EvaluationRequest> robotsOf(const EvaluateGenomes::Request& request,
     robots[i].id = request.id[i];
     try
     {
-      robots[i].program = fromMsg(request.genomes[i], settings).program;
+      robots[i].program = fromMsg(request.genomes[i], body).program;
     }
     catch (const InvalidInput& e)
     {
@@ -348,7 +333,7 @@ std::vector<EvaluationRequest> robotsOf(const EvaluateGenomes::Request& request,
 }
 
 std::vector<Evaluation> evaluationsOf(const EvaluateGenomes::Response& response,
-                                      const std::vector<EvaluationRequest>& robots, const SoftBodySettings& settings)
+                                      const std::vector<EvaluationRequest>& robots, const Body& body)
 {
   require(response.error.empty(), "the request was refused: " + response.error.substr(0, 255));
   require(response.evaluations.size() == robots.size(), toText(static_cast<int64_t>(response.evaluations.size())) +
@@ -363,7 +348,8 @@ std::vector<Evaluation> evaluationsOf(const EvaluateGenomes::Response& response,
                 individualName(robots[i].trial, robots[i].id) + " was expected");
     try
     {
-      evaluations.push_back(fromMsg(message, settings));
+      evaluations.push_back(fromMsg(message, body));
+      require(!message.valid || !message.velocity.empty() || body.lifetime() < WINDOW, "the velocities are missing");
     }
     catch (const InvalidInput& e)
     {
@@ -373,8 +359,8 @@ std::vector<Evaluation> evaluationsOf(const EvaluateGenomes::Response& response,
   return evaluations;
 }
 
-VelocityTelemetry telemetryOf(const EvaluationRequest& robot, const Evaluation& evaluation,
-                              const SoftBodySettings& settings, const std::string& simulator)
+VelocityTelemetry telemetryOf(const EvaluationRequest& robot, const Evaluation& evaluation, const Body& body,
+                              const std::string& simulator)
 {
   VelocityTelemetry telemetry;
   telemetry.header.stamp = wallStamp();
@@ -386,10 +372,22 @@ VelocityTelemetry telemetryOf(const EvaluationRequest& robot, const Evaluation& 
   telemetry.velocity = evaluation.velocity_body_lengths_per_s;
   for (size_t window = 1; window <= telemetry.velocity.size(); ++window)
   {
-    telemetry.window_end.push_back(std::min(window * WINDOW, settings.lifetime));
+    telemetry.window_end.push_back(std::min(static_cast<double>(window) * WINDOW, body.lifetime()));
   }
-  telemetry.mean_velocity = evaluation.valid ? evaluation.fitness / settings.lifetime : Evaluation::NONE;
+  telemetry.mean_velocity = body.meanVelocity(evaluation);
   return telemetry;
+}
+
+uint64_t fingerprintFor(const std::string& kind, const SimulatorAnnouncement& announcement)
+{
+  for (const BodyEngine& engine : announcement.engines)
+  {
+    if (engine.body == kind)
+    {
+      return engine.fingerprint;
+    }
+  }
+  return 0;
 }
 
 void validate(const SimulatorAnnouncement& announcement)
@@ -400,6 +398,11 @@ void validate(const SimulatorAnnouncement& announcement)
   requireLabel("version", announcement.version);
   requireLabel("instruction_set", announcement.instruction_set);
   requireLabel("processor", announcement.processor);
+  require(announcement.engines.size() <= 16, "there must be at most 16 engines");
+  for (const BodyEngine& engine : announcement.engines)
+  {
+    requireLabel("engines", engine.body);
+  }
   requireWithin("lanes", announcement.lanes, 1, EvaluateGenomes::Request::MAX_GENOMES);
   requireWithin("period", announcement.period, 0.01, 60.0);
   require(announcement.evaluations >= 0, "evaluations must not be negative");

@@ -40,10 +40,9 @@ ExperimentSettings settingsOf(const Parameters& parameters)
   return settings;
 }
 
-Provenance provenanceOf(uint64_t fingerprint)
+Provenance provenanceOf(const BodySettings& body)
 {
-  Provenance provenance = localProvenance(toString(bestInstructionSet()));
-  provenance.engine_fingerprint = fingerprint;
+  Provenance provenance = localProvenance(toString(bestInstructionSet()), *makeBody(body));
   provenance.ros = "roscpp " + std::to_string(ROS_VERSION_MAJOR) + "." + std::to_string(ROS_VERSION_MINOR) + "." +
                    std::to_string(ROS_VERSION_PATCH);
   return provenance;
@@ -56,15 +55,19 @@ bool isBetter(const EvolvedRobot& candidate, const EvolvedRobot& present)
 }
 }  // namespace
 
-EvolverNode::EvolverNode(const Parameters& parameters)
-  : EvolverNode(parameters, settingsOf(parameters), engineFingerprint())
+EvolverNode::EvolverNode(const Parameters& parameters) : EvolverNode(parameters, settingsOf(parameters))
 {
 }
 
-EvolverNode::EvolverNode(const Parameters& parameters, const ExperimentSettings& settings, uint64_t fingerprint)
+EvolverNode::EvolverNode(const Parameters& parameters, const ExperimentSettings& settings)
+  : EvolverNode(parameters, settings, provenanceOf(settings.body))
+{
+}
+
+EvolverNode::EvolverNode(const Parameters& parameters, const ExperimentSettings& settings, const Provenance& provenance)
   : settings_(settings)
-  , archive_(openArchiveForWriting(settings_, provenanceOf(fingerprint)))
-  , farm_(node_, farmSettings(parameters, settings_.body, fingerprint), signs_of_life_)
+  , archive_(openArchiveForWriting(settings_, provenance))
+  , farm_(node_, farmSettings(parameters, settings_.body, provenance.engine_fingerprint), signs_of_life_)
   , experiment_(settings_, *archive_, farm_, *this)
   , archive_services_(node_, settings_.output)
   , idle_warning_(node_.resolveName("simulators"))
@@ -120,7 +123,7 @@ void EvolverNode::takeUp()
     status_.generations_committed += state.generation + 1;
     status_.trials_finished += state.generation >= settings_.generations ? 1 : 0;
     const ArchivedIndividual champion = archive_->readIndividual(number, archive_->championOf(number));
-    publishChampion(toMsg(champion, settings_.evolution));
+    publishChampion(toMsg(champion, settings_));
   }
 }
 
@@ -169,7 +172,7 @@ void EvolverNode::generationCommitted(const GenerationReport& report)
   GenerationSummary summary = toMsg(report, settings_);
   countSimulators(farm_.status(), summary);
   generation_.publish(summary);
-  publishChampion(toMsg(report.champion, report.record.generation, settings_.evolution));
+  publishChampion(toMsg(report.champion, report.record.generation, settings_));
   showProgress(report);
 }
 

@@ -43,7 +43,8 @@ public:
 private:
   using Clock = std::chrono::steady_clock;
 
-  EvolverNode(const Parameters& parameters, const ExperimentSettings& settings, uint64_t fingerprint);
+  EvolverNode(const Parameters& parameters, const ExperimentSettings& settings);
+  EvolverNode(const Parameters& parameters, const ExperimentSettings& settings, const Provenance& provenance);
 
   void generationCommitted(const GenerationReport& report) override;
   void tick() override;

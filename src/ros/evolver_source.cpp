@@ -69,7 +69,7 @@ public:
 private:
   void takeSettings(const EvaluationSettings& message)
   {
-    const SoftBodySettings settings = fromMsg(message);
+    const BodySettings settings = fromMsg(message);
     std::lock_guard<std::mutex> lock(mutex_);
     settings_ = settings;
   }
@@ -84,7 +84,7 @@ private:
     latest_ = message;
   }
 
-  std::optional<SoftBodySettings> settings() const
+  std::optional<BodySettings> settings() const
   {
     std::lock_guard<std::mutex> lock(mutex_);
     return settings_;
@@ -136,7 +136,7 @@ private:
   ros::NodeHandle node_;
   const RobotChoice choice_;
   mutable std::mutex mutex_;
-  std::optional<SoftBodySettings> settings_;
+  std::optional<BodySettings> settings_;
   std::optional<EvolvedRobot> latest_;
   ros::ServiceClient client_;
   bool stopped_ = false;
@@ -145,7 +145,7 @@ private:
 };
 }  // namespace
 
-ShownRobot robotOf(const EvolvedRobot& message, const SoftBodySettings& body)
+ShownRobot robotOf(const EvolvedRobot& message, const BodySettings& settings)
 {
   const bool sound = message.trial >= 1 && message.id >= 0 && message.born >= 0 && message.age >= 0 &&
                      message.born <= message.generation && message.age <= message.generation &&
@@ -156,13 +156,14 @@ ShownRobot robotOf(const EvolvedRobot& message, const SoftBodySettings& body)
   }
   ShownRobot robot;
   robot.name = individualName(message.trial, message.id);
-  if (message.genome.size_gene_initial.empty())
+  if (message.genome.arrays.empty() || message.genome.arrays.front().values.empty())
   {
     throw InvalidInput("the genome of individual " + robot.name + " was not kept and cannot be had again");
   }
-  robot.body = body;
-  robot.program = fromMsg(message.genome, body).program;
-  robot.recorded = fromMsg(message.evaluation, body);
+  const std::shared_ptr<const Body> body = makeBody(settings);
+  robot.body = softSettings(settings, "players and pictures");
+  robot.program = fromMsg(message.genome, *body).program;
+  robot.recorded = fromMsg(message.evaluation, *body);
   const int64_t age_at_birth = message.age - (message.generation - message.born);
   robot.descent = Descent{ message.trial,
                            message.id,

@@ -27,7 +27,9 @@ std::string withoutNamespace(const std::string& name)
 }  // namespace
 
 PlayerNode::PlayerNode(const Parameters& parameters)
-  : file_body_(parameters.experiment.body), name_(withoutNamespace(ros::this_node::getName())), private_node_("~")
+  : file_body_(softSettings(parameters.experiment.body, "players"))
+  , name_(withoutNamespace(ros::this_node::getName()))
+  , private_node_("~")
 {
   robot_publisher_ = private_node_.advertise<visualization_msgs::MarkerArray>("robot", 100);
   floor_publisher_ = private_node_.advertise<visualization_msgs::MarkerArray>("floor", 10, true);

@@ -38,9 +38,9 @@ std::unique_ptr<RobotSource> makeArchiveSource(const std::string& output, const 
 std::unique_ptr<RobotSource> makeFileSource(const std::string& path, const std::string& id,
                                             const SoftBodySettings& body);
 
-/// The robot that a message speaks of. @param body of the experiment that it is from.
+/// The robot that a message speaks of. @param settings of the experiment that it is from.
 /// @throw InvalidInput if the message makes no sense for this body, or has no genome.
-ShownRobot robotOf(const EvolvedRobot& message, const SoftBodySettings& body);
+ShownRobot robotOf(const EvolvedRobot& message, const BodySettings& settings);
 
 /// Follows or asks an evolver by its topics `settings`, `champion` and `best` and its service `individual`.
 std::unique_ptr<RobotSource> makeEvolverSource(ros::NodeHandle node, const RobotChoice& choice);

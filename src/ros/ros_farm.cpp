@@ -72,7 +72,7 @@ private:
 };
 }  // namespace
 
-SimulatorFarmSettings farmSettings(const Parameters& parameters, const SoftBodySettings& body, uint64_t fingerprint)
+SimulatorFarmSettings farmSettings(const Parameters& parameters, const BodySettings& body, uint64_t fingerprint)
 {
   SimulatorFarmSettings settings;
   settings.body = body;
@@ -88,8 +88,8 @@ RosFarm::RosFarm(ros::NodeHandle node, const SimulatorFarmSettings& settings,
   , farm_(
         settings,
         [](const SimulatorAnnouncement& simulator) { return std::make_shared<ServiceConnection>(simulator.service); },
-        [body = settings.body](const DevelopmentalProgram& robot, const std::atomic<bool>& stop)
-        { return evaluate(body, { robot }, bestInstructionSet(), &stop).front(); })
+        [body = makeBody(settings.body)](const DevelopmentalProgram& robot, const std::atomic<bool>& stop)
+        { return body->evaluate({ robot }, bestInstructionSet(), &stop).front(); })
   , announcements_(node.subscribe("simulators", 1000, &RosFarm::heardFrom, this))
 {
 }

@@ -12,7 +12,7 @@
 namespace devo_evo
 {
 /// Settings of a farm as the parameters say.
-SimulatorFarmSettings farmSettings(const Parameters& parameters, const SoftBodySettings& body, uint64_t fingerprint);
+SimulatorFarmSettings farmSettings(const Parameters& parameters, const BodySettings& body, uint64_t fingerprint);
 
 /// A SimulatorFarm of the simulators that announce themselves on topic `simulators`, asked through their services.
 class RosFarm : public Farm

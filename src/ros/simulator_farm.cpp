@@ -54,7 +54,7 @@ void SimulatorFarm::submit(std::vector<EvaluationRequest> requests)
 {
   for (const EvaluationRequest& request : requests)
   {
-    validate(request.program, state_->settings().body);
+    state_->body().validate(request.program);
   }
   state_->submit(std::move(requests));
 }

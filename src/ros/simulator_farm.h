@@ -1,7 +1,7 @@
 #pragma once
 
+#include "devo_evo/bodies/bodies.h"
 #include "devo_evo/farm/farm.h"
-#include "devo_evo/soft_body/settings.h"
 
 #include <devo_evo/EvaluateGenomes.h>
 #include <devo_evo/SimulatorAnnouncement.h>
@@ -38,8 +38,8 @@ using Referee = std::function<Evaluation(const DevelopmentalProgram&, const std:
 
 struct SimulatorFarmSettings
 {
-  SoftBodySettings body;
-  uint64_t engine_fingerprint = 0;  ///< simulators with another one are refused
+  BodySettings body;
+  uint64_t engine_fingerprint = 0;  ///< for this kind of body; simulators with another one are refused
 
   /// How long a simulator may take for a batch of robots of the paper's body and lifetime; more for larger bodies and
   /// longer lives, in proportion.

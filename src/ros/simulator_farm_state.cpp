@@ -15,20 +15,13 @@ namespace
 {
 constexpr std::chrono::seconds CLOSE_TIMEOUT{ 2 };
 constexpr size_t MOST_SIMULATORS = 4096;
-
-/// How much longer the lives of one batch take than those of the paper's robots, at least 1.
-double relativeCost(const SoftBodySettings& body)
-{
-  const auto cost = [](const SoftBodySettings& settings)
-  { return settings.voxelCount() * (SETTLING_TIME + settings.lifetime) / settings.timeStep(); };
-  return std::max(1.0, cost(body) / cost(SoftBodySettings()));
-}
 }  // namespace
 
 SimulatorFarm::State::State(const SimulatorFarmSettings& settings, Referee referee)
   : settings_(settings)
+  , body_(makeBody(settings.body))
   , referee_(std::move(referee))
-  , call_timeout_(settings.batch_timeout * relativeCost(settings.body))
+  , call_timeout_(settings.batch_timeout * body_->relativeCost())
   , ledger_(settings.checked_fraction)
 {
 }
@@ -85,10 +78,10 @@ SimulatorSession SimulatorFarm::State::openSession(SimulatorRecord& simulator, c
 void SimulatorFarm::State::greet(SimulatorRecord& simulator)
 {
   simulator.state = WorkerState::CONNECTING;
-  if (simulator.announcement.engine_fingerprint != settings_.engine_fingerprint)
+  if (fingerprintFor(body_->kind(), simulator.announcement) != settings_.engine_fingerprint)
   {
     simulator.state = WorkerState::REFUSED;
-    simulator.reason = engineMismatch(simulator.announcement, settings_.engine_fingerprint);
+    simulator.reason = engineMismatch(simulator.announcement, body_->kind(), settings_.engine_fingerprint);
     ROS_ERROR_STREAM("refused " << describe(simulator.announcement) << ": " << simulator.reason);
   }
 }
@@ -153,14 +146,14 @@ std::optional<std::vector<Evaluation>> SimulatorFarm::State::ask(SimulatorConnec
                                                                  const std::vector<EvaluationRequest>& robots,
                                                                  const std::string& quarantine) const
 {
-  EvaluateGenomes::Request request = toRequest(robots, settings_.body, settings_.engine_fingerprint);
+  EvaluateGenomes::Request request = toRequest(robots, settings_.body, *body_, settings_.engine_fingerprint);
   request.quarantine = quarantine;
   EvaluateGenomes::Response response;
   if (!connection.call(request, response))
   {
     return std::nullopt;
   }
-  return evaluationsOf(response, robots, settings_.body);
+  return evaluationsOf(response, robots, *body_);
 }
 
 bool SimulatorFarm::State::connected(const SimulatorSession& session)

@@ -31,7 +31,7 @@ class SimulatorFarm::State
 public:
   State(const SimulatorFarmSettings& settings, Referee referee);
 
-  const SimulatorFarmSettings& settings() const { return settings_; }
+  const Body& body() const { return *body_; }
 
   // ---- simulator_farm_state.cpp: simulators and the threads that serve them
 
@@ -113,6 +113,7 @@ private:
   std::shared_ptr<SimulatorConnection> quarantine(SimulatorRecord& simulator, const Comparison& comparison);
 
   const SimulatorFarmSettings settings_;
+  const std::shared_ptr<const Body> body_;
   const Referee referee_;
   const std::chrono::duration<double> call_timeout_;
   std::atomic<bool> closing_{ false };  // set under the mutex

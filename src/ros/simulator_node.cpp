@@ -20,12 +20,13 @@ namespace
 constexpr uint32_t TELEMETRY_QUEUE = 10000;  // more than a subscriber that is alive gets behind
 constexpr std::chrono::seconds LONGEST_WAIT_FOR_SUBSCRIBERS{ 2 };
 
-void requireSameEngine(uint64_t wanted, uint64_t own)
+void requireSameEngine(uint64_t wanted, uint64_t own, const std::string& kind)
 {
   if (wanted != 0 && wanted != own)
   {
-    throw InvalidInput("the engine fingerprint of this simulator is " + hashToString(own) + ", its version " +
-                       versionText() + "; the engine fingerprint asked for is " + hashToString(wanted));
+    throw InvalidInput("the engine fingerprint of this simulator for " + kind + " bodies is " + hashToString(own) +
+                       ", its version " + versionText() + "; the engine fingerprint asked for is " +
+                       hashToString(wanted));
   }
 }
 
@@ -43,7 +44,7 @@ std::vector<DevelopmentalProgram> programsOf(const std::vector<EvaluationRequest
 SimulatorNode::SimulatorNode(InstructionSet instruction_set, double announcement_period_s)
   : instruction_set_(instruction_set)
   , announcement_period_s_(announcement_period_s)
-  , fingerprint_(engineFingerprint(instruction_set))
+  , fingerprints_(engineFingerprints(instruction_set))
   , private_node_("~")
   , display_(node_, ros::this_node::getName())
   , evaluation_thread_(1, &requests_)
@@ -61,7 +62,8 @@ SimulatorNode::SimulatorNode(InstructionSet instruction_set, double announcement
   announce();
   master_watch_ = std::make_unique<MasterWatch>(std::vector<std::string>{ service_.getService() });
   ROS_INFO_STREAM("simulating with " << toString(instruction_set) << ", " << laneCount(instruction_set)
-                                     << " robots in lock-step; engine fingerprint " << hashToString(fingerprint_));
+                                     << " robots in lock-step; engine fingerprint "
+                                     << hashToString(fingerprints_.at(toString(BodyKind::SOFT))));
 }
 
 SimulatorNode::~SimulatorNode()
@@ -98,7 +100,9 @@ bool SimulatorNode::evaluate(const ros::SerializedMessage& request, const std::s
 void SimulatorNode::answer(const EvaluateGenomes::Request& request, const std::string& caller,
                            EvaluateGenomes::Response& response)
 {
-  requireSameEngine(request.engine_fingerprint, fingerprint_);
+  const BodySettings settings = fromMsg(request.settings);
+  const std::shared_ptr<const Body> body = makeBody(settings);
+  requireSameEngine(request.engine_fingerprint, fingerprints_.at(body->kind()), body->kind());
   if (const std::optional<std::string> reason = quarantineOf(request))
   {
     beQuarantined(*reason, caller);
@@ -108,14 +112,12 @@ void SimulatorNode::answer(const EvaluateGenomes::Request& request, const std::s
   {
     throw InvalidInput("this simulator was quarantined by " + quarantine_);
   }
-  const SoftBodySettings settings = fromMsg(request.settings);
-  const std::vector<EvaluationRequest> robots = robotsOf(request, settings);
-  const std::vector<Evaluation> evaluations =
-      devo_evo::evaluate(settings, programsOf(robots), instruction_set_, &stop_);
+  const std::vector<EvaluationRequest> robots = robotsOf(request, *body);
+  const std::vector<Evaluation> evaluations = body->evaluate(programsOf(robots), instruction_set_, &stop_);
   for (size_t i = 0; i < robots.size(); ++i)
   {
-    response.evaluations.push_back(toMsg(evaluations[i], robots[i].trial, robots[i].id));
-    velocity_.publish(telemetryOf(robots[i], evaluations[i], settings, ros::this_node::getName()));
+    response.evaluations.push_back(toMsg(evaluations[i], robots[i].trial, robots[i].id, *body));
+    velocity_.publish(telemetryOf(robots[i], evaluations[i], *body, ros::this_node::getName()));
   }
   display_.offer(settings, robots, evaluations);
   evaluations_ += static_cast<int64_t>(robots.size());
@@ -138,7 +140,13 @@ void SimulatorNode::announce()
   announcement.host = hostName();
   announcement.pid = static_cast<uint32_t>(getpid());
   announcement.version = versionText();
-  announcement.engine_fingerprint = fingerprint_;
+  for (const auto& [kind, fingerprint] : fingerprints_)
+  {
+    BodyEngine engine;
+    engine.body = kind;
+    engine.fingerprint = fingerprint;
+    announcement.engines.push_back(engine);
+  }
   announcement.instruction_set = toString(instruction_set_);
   announcement.lanes = laneCount(instruction_set_);
   announcement.period = announcement_period_s_;

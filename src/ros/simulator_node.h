@@ -13,6 +13,7 @@
 #include <ros/steady_timer.h>
 
 #include <atomic>
+#include <map>
 #include <memory>
 #include <string>
 
@@ -45,7 +46,7 @@ private:
 
   const InstructionSet instruction_set_;
   const double announcement_period_s_;
-  const uint64_t fingerprint_;
+  const std::map<std::string, uint64_t> fingerprints_;  ///< by kind of body
   std::atomic<bool> stop_{ false };
   std::atomic<bool> busy_{ false };
   std::atomic<int64_t> evaluations_{ 0 };

@@ -1,6 +1,7 @@
 #include "ros/simulator_record.h"
 
 #include "devo_evo/soft_body/text.h"
+#include "ros/conversions.h"
 
 namespace devo_evo
 {
@@ -29,9 +30,9 @@ std::string describe(const SimulatorAnnouncement& simulator)
          ", " + simulator.instruction_set + ")";
 }
 
-std::string engineMismatch(const SimulatorAnnouncement& simulator, uint64_t own_fingerprint)
+std::string engineMismatch(const SimulatorAnnouncement& simulator, const std::string& kind, uint64_t own_fingerprint)
 {
-  return "its engine fingerprint is " + hashToString(simulator.engine_fingerprint) + ", that of this evolver is " +
-         hashToString(own_fingerprint) + "; its version is " + simulator.version;
+  return "its engine fingerprint for " + kind + " bodies is " + hashToString(fingerprintFor(kind, simulator)) +
+         ", that of this evolver is " + hashToString(own_fingerprint) + "; its version is " + simulator.version;
 }
 }  // namespace devo_evo

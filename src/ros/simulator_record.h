@@ -52,5 +52,5 @@ bool sameProcess(const SimulatorAnnouncement& a, const SimulatorAnnouncement& b)
 std::string describe(const SimulatorAnnouncement& simulator);
 
 /// Why a simulator of another engine is refused.
-std::string engineMismatch(const SimulatorAnnouncement& simulator, uint64_t own_fingerprint);
+std::string engineMismatch(const SimulatorAnnouncement& simulator, const std::string& kind, uint64_t own_fingerprint);
 }  // namespace devo_evo

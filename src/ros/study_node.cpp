@@ -66,7 +66,7 @@ RunOutcome StudyNode::run()
   const std::string& output = parameters_.experiment.output;
   say("study of scale " + toString(parameters_.study.scale) + " in " + output + "\n" +
       estimateText(parameters_, workers, bestInstructionSet()));
-  const Provenance provenance = localProvenance(toString(bestInstructionSet()));
+  const Provenance provenance = localProvenance(toString(bestInstructionSet()), *makeBody(parameters_.experiment.body));
   const auto make_farm = [&](const SoftBodySettings& body) { return makeFarm(body, provenance.engine_fingerprint); };
   callbacks_.start();
   const RunOutcome outcome = runStudy(parameters_, provenance, make_farm, *this);
@@ -88,8 +88,8 @@ std::unique_ptr<Farm> StudyNode::makeFarm(const SoftBodySettings& body, uint64_t
     clean_ = clean_ && clean;
     workers_ = nullptr;
   };
-  auto farm =
-      std::make_unique<ClosingFarm>(node_, farmSettings(parameters_, body, fingerprint), signs_of_life_, closed);
+  auto farm = std::make_unique<ClosingFarm>(node_, farmSettings(parameters_, BodySettings(body), fingerprint),
+                                            signs_of_life_, closed);
   workers_ = [&farm = *farm] { return farm.status(); };
   idle_warning_.update(true);
   return farm;

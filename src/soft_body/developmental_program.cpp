@@ -25,40 +25,19 @@ void validateArray(const char* name, const std::vector<double>& values, const So
     }
   }
 }
-
-/// Mean of |final - initial| over all voxels, as a share of the range that values may take.
-double developmentalWindow(const std::vector<double>& initial, const std::vector<double>& final, double range)
-{
-  double change = 0.0;
-  for (size_t i = 0; i < initial.size(); ++i)
-  {
-    change += std::abs(final[i] - initial[i]);
-  }
-  return change / (static_cast<double>(initial.size()) * range);
-}
 }  // namespace
 
 bool DevelopmentalProgram::operator==(const DevelopmentalProgram& other) const
 {
-  return size_gene_initial == other.size_gene_initial && size_gene_final == other.size_gene_final &&
-         phase_initial == other.phase_initial && phase_final == other.phase_final;
+  return morphology_initial == other.morphology_initial && morphology_final == other.morphology_final &&
+         control_initial == other.control_initial && control_final == other.control_final;
 }
 
 void validate(const DevelopmentalProgram& program, const SoftBodySettings& settings)
 {
-  validateArray("size_gene_initial", program.size_gene_initial, settings);
-  validateArray("size_gene_final", program.size_gene_final, settings);
-  validateArray("phase_initial", program.phase_initial, settings);
-  validateArray("phase_final", program.phase_final, settings);
-}
-
-double morphologyWindow(const DevelopmentalProgram& program)
-{
-  return developmentalWindow(program.size_gene_initial, program.size_gene_final, 2.0);
-}
-
-double controlWindow(const DevelopmentalProgram& program, double phase_limit)
-{
-  return developmentalWindow(program.phase_initial, program.phase_final, 2.0 * phase_limit);
+  validateArray("size_gene_initial", program.morphology_initial, settings);
+  validateArray("size_gene_final", program.morphology_final, settings);
+  validateArray("phase_initial", program.control_initial, settings);
+  validateArray("phase_final", program.control_final, settings);
 }
 }  // namespace devo_evo

@@ -165,11 +165,11 @@ private:
       }
       at(lane, voxel, ORIENTATION) = 1.0;
       at(lane, voxel, SCALE) = L;
-      const double size_at_birth = L * (1.0 + SIZE_RANGE * program.size_gene_initial[i]);
+      const double size_at_birth = L * (1.0 + SIZE_RANGE * program.morphology_initial[i]);
       at(lane, voxel, SIZE_AT_BIRTH) = size_at_birth;
-      at(lane, voxel, SIZE_CHANGE) = L * (1.0 + SIZE_RANGE * program.size_gene_final[i]) - size_at_birth;
-      at(lane, voxel, PHASE_AT_BIRTH) = program.phase_initial[i];
-      at(lane, voxel, PHASE_CHANGE) = program.phase_final[i] - program.phase_initial[i];
+      at(lane, voxel, SIZE_CHANGE) = L * (1.0 + SIZE_RANGE * program.morphology_final[i]) - size_at_birth;
+      at(lane, voxel, PHASE_AT_BIRTH) = program.control_initial[i];
+      at(lane, voxel, PHASE_CHANGE) = program.control_final[i] - program.control_initial[i];
     }
   }
 

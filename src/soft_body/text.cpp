@@ -1,6 +1,7 @@
 #include "devo_evo/soft_body/text.h"
 
 #include <charconv>
+#include <cmath>
 
 namespace devo_evo
 {
@@ -22,6 +23,17 @@ std::string toText(double number)
 std::string toText(int64_t number)
 {
   return shortestText(number);
+}
+
+std::string fixedText(double number, int decimals)
+{
+  if (!std::isfinite(number))
+  {
+    return "-";
+  }
+  char text[512];  // the largest double has 309 digits before the point
+  const auto result = std::to_chars(text, text + sizeof text, number, std::chars_format::fixed, decimals);
+  return std::string(text, result.ptr);
 }
 
 std::string hashToString(uint64_t hash)

@@ -13,8 +13,8 @@ struct StudyContext
   const Parameters parameters;
   StudyDatabase& database;
 
-  World world() const { return asEvolved(parameters.experiment.body); }
-  Lattice lattice() const { return Lattice(parameters.experiment.body); }
+  World world() const { return asEvolved(parameters.experiment.body.soft); }
+  std::shared_ptr<const Body> body() const { return makeBody(parameters.experiment.body); }
 
   /// The only value of a query about a champion, with placeholders for arm, trial and id first.
   template <class... Values>

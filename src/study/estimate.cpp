@@ -25,7 +25,7 @@ std::string row(const std::string& part, const std::string& evaluations, const s
 std::string estimateText(const Parameters& parameters, int threads, InstructionSet instruction_set)
 {
   validateStudy(parameters);
-  const double rate = evaluationsPerSecond(parameters.experiment.body, threads, instruction_set);
+  const double rate = evaluationsPerSecond(parameters.experiment.body.soft, threads, instruction_set);
   const auto timeOf = [rate](int64_t evaluations) { return durationText(static_cast<double>(evaluations) / rate); };
   std::string text = row("part", "evaluations", "left", "time");
   Workload sum = {};

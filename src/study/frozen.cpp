@@ -31,11 +31,11 @@ DevelopmentalProgram frozen(const DevelopmentalProgram& program, Moment moment, 
   DevelopmentalProgram copy = program;
   if (scope != Scope::CONTROL)
   {
-    freeze(copy.size_gene_initial, copy.size_gene_final, moment);
+    freeze(copy.morphology_initial, copy.morphology_final, moment);
   }
   if (scope != Scope::BODY)
   {
-    freeze(copy.phase_initial, copy.phase_final, moment);
+    freeze(copy.control_initial, copy.control_final, moment);
   }
   return copy;
 }

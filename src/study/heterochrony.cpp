@@ -32,17 +32,19 @@ WindowClosing closing(const Genes& initial, const Genes& final, const Genes& new
 
 WindowClosing morphologyClosing(const DevelopmentalProgram& parent, const DevelopmentalProgram& child)
 {
-  return closing(parent.size_gene_initial, parent.size_gene_final, child.size_gene_initial, child.size_gene_final, 1.0);
+  return closing(parent.morphology_initial, parent.morphology_final, child.morphology_initial, child.morphology_final,
+                 1.0);
 }
 
 WindowClosing controlClosing(const DevelopmentalProgram& parent, const DevelopmentalProgram& child, double phase_limit)
 {
-  return closing(parent.phase_initial, parent.phase_final, child.phase_initial, child.phase_final, phase_limit);
+  return closing(parent.control_initial, parent.control_final, child.control_initial, child.control_final, phase_limit);
 }
 
 Windows neutralWindows(const std::vector<ArchivedIndividual>& lineage, const EvolutionSettings& settings,
-                       const Lattice& lattice, int64_t trial, int64_t replicate)
+                       const Body& body, int64_t trial, int64_t replicate)
 {
+  const GenomeLayout layout = body.layout(settings);
   EvolutionSettings drift = settings;
   drift.meta_mutation_sigma = 0.0;  // the rates are given
   Genome genome = lineage.front().individual.genome;
@@ -54,10 +56,10 @@ Windows neutralWindows(const std::vector<ArchivedIndividual>& lineage, const Evo
       genome.mutation_rate = lineage[position].individual.genome.mutation_rate;
       RandomStream random(settings.seed, settings.arm(), trial, static_cast<int64_t>(position), replicate,
                           RandomPurpose::NEUTRAL_LINEAGE);
-      genome = mutate(genome, drift, lattice, random);
+      genome = mutate(genome, drift, layout, random);
     }
-    windows.morphology.push_back(morphologyWindow(genome.program));
-    windows.control.push_back(controlWindow(genome.program, settings.phaseLimit()));
+    windows.morphology.push_back(morphologyWindow(genome.program, layout));
+    windows.control.push_back(controlWindow(genome.program, layout));
   }
   return windows;
 }

@@ -28,5 +28,5 @@ struct Windows
 /// pure function of its arguments.
 /// @param lineage oldest first. @param replicate from 1.
 Windows neutralWindows(const std::vector<ArchivedIndividual>& lineage, const EvolutionSettings& settings,
-                       const Lattice& lattice, int64_t trial, int64_t replicate);
+                       const Body& body, int64_t trial, int64_t replicate);
 }  // namespace devo_evo

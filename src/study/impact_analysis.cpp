@@ -9,7 +9,7 @@ namespace
 Work impactWork(const StudyContext& study, const EvolutionSettings& settings)
 {
   const int64_t reproductions = study.parameters.study.impact_reproductions;
-  const MutationCount count = countMutations(settings, study.lattice(), reproductions);
+  const MutationCount count = countMutations(settings, *study.body(), reproductions);
   Work work;
   work.write = [=]
   {
@@ -17,8 +17,9 @@ Work impactWork(const StudyContext& study, const EvolutionSettings& settings)
         "INSERT OR REPLACE INTO mutational_impact (treatment, profile, traits, mutation_rate, "
         "reproductions, voxels_changed_mean, voxels_changed_sd, genes_changed_mean, genes_changed_sd) "
         "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)",
-        toString(settings.treatment), toString(settings.profile), static_cast<int64_t>(evolvingTraits(settings).size()),
-        *settings.mutation_rate, reproductions, count.voxels.mean, count.voxels.standard_deviation, count.genes.mean,
+        toString(settings.treatment), toString(settings.profile),
+        static_cast<int64_t>(evolvingTraits(study.body()->layout(settings)).size()), *settings.mutation_rate,
+        reproductions, count.voxels.mean, count.voxels.standard_deviation, count.genes.mean,
         count.genes.standard_deviation);
   };
   return work;

@@ -13,6 +13,7 @@ void writeAncestor(const StudyContext& study, const RunChampion& champion,
   const ArchivedIndividual& ancestor = lineage[position];
   const DevelopmentalProgram& program = ancestor.individual.genome.program;
   const double limit = champion.evolution.phaseLimit();
+  const GenomeLayout layout = study.body()->layout(champion.evolution);
   std::optional<WindowClosing> body, control;
   if (position > 0)
   {
@@ -30,7 +31,7 @@ void writeAncestor(const StudyContext& study, const RunChampion& champion,
       "control_window, body_initial_towards_final, body_final_towards_initial, control_initial_towards_final, "
       "control_final_towards_initial, phenotype_hash) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
       champion.arm, champion.trial(), champion.id(), static_cast<int64_t>(position), ancestor.individual.id,
-      ancestor.individual.generation, morphologyWindow(program), controlWindow(program, limit),
+      ancestor.individual.generation, morphologyWindow(program, layout), controlWindow(program, layout),
       share(body, &WindowClosing::initial_towards_final), share(body, &WindowClosing::final_towards_initial),
       share(control, &WindowClosing::initial_towards_final), share(control, &WindowClosing::final_towards_initial),
       phenotypeHash(program));
@@ -61,7 +62,7 @@ Work neutralWork(const StudyContext& study, const RunChampion& champion)
   std::vector<Windows> replicates;
   for (int64_t replicate = 1; replicate <= study.parameters.study.neutral_lineages; ++replicate)
   {
-    replicates.push_back(neutralWindows(lineage, champion.evolution, study.lattice(), champion.trial(), replicate));
+    replicates.push_back(neutralWindows(lineage, champion.evolution, *study.body(), champion.trial(), replicate));
   }
   Work work;
   work.write = [study, champion, replicates]

@@ -50,17 +50,18 @@ int64_t genesChanged(const Genome& parent, const Genome& child, const std::vecto
 }
 }  // namespace
 
-MutationCount countMutations(const EvolutionSettings& settings, const Lattice& lattice, int64_t reproductions)
+MutationCount countMutations(const EvolutionSettings& settings, const Body& body, int64_t reproductions)
 {
   // Trials are numbered from 1. A random genome lies on no bound, so that every mutation changes something.
   constexpr int64_t no_trial = 0;
-  const Genome parent = bornGenome(settings, lattice, no_trial, 0, 0, nullptr);
-  const std::vector<TraitSpec> traits = evolvingTraits(settings);
+  const GenomeLayout layout = body.layout(settings);
+  const Genome parent = bornGenome(settings, layout, no_trial, 0, 0, nullptr);
+  const std::vector<TraitSpec> traits = evolvingTraits(layout);
   Counter voxels, genes;
   for (int64_t reproduction = 0; reproduction < reproductions; ++reproduction)
   {
     RandomStream random(settings.seed, settings.arm(), no_trial, 0, reproduction, RandomPurpose::MUTATION_COUNT);
-    const Genome child = mutate(parent, settings, lattice, random);
+    const Genome child = mutate(parent, settings, layout, random);
     voxels.add(voxelsChanged(parent.program, child.program));
     genes.add(genesChanged(parent, child, traits));
   }

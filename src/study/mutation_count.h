@@ -1,7 +1,7 @@
 #pragma once
 
+#include "devo_evo/evolution/body.h"
 #include "devo_evo/evolution/settings.h"
-#include "devo_evo/soft_body/lattice.h"
 
 #include <cstdint>
 
@@ -22,5 +22,5 @@ struct MutationCount
 };
 
 /// Reproductions of one random parent, counted. A pure function of its arguments. @pre reproductions > 1
-MutationCount countMutations(const EvolutionSettings& settings, const Lattice& lattice, int64_t reproductions);
+MutationCount countMutations(const EvolutionSettings& settings, const Body& body, int64_t reproductions);
 }  // namespace devo_evo

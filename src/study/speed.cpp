@@ -1,5 +1,6 @@
 #include "study/speed.h"
 
+#include "devo_evo/bodies/bodies.h"
 #include "devo_evo/evolution/genome.h"
 
 #include <atomic>
@@ -18,11 +19,11 @@ constexpr auto MEASURED = std::chrono::milliseconds(800);
 std::vector<DevelopmentalProgram> randomRobots(const SoftBodySettings& body, int count)
 {
   const EvolutionSettings evolution;
-  const Lattice lattice(body);
+  const GenomeLayout layout = makeSoftBody(body)->layout(evolution);
   std::vector<DevelopmentalProgram> robots;
   for (int id = 0; id < count; ++id)
   {
-    robots.push_back(bornGenome(evolution, lattice, 1, 0, id, nullptr).program);
+    robots.push_back(bornGenome(evolution, layout, 1, 0, id, nullptr).program);
   }
   return robots;
 }

@@ -102,7 +102,7 @@ private:
   RunOutcome evolve(const Arm& arm)
   {
     const auto archive = openArchiveForWriting(arm.settings, provenance_);
-    const auto farm = make_farm_(arm.settings.body);
+    const auto farm = make_farm_(arm.settings.body.soft);
     ArmObserver observer(arm, observer_);
     Experiment experiment(arm.settings, *archive, *farm, observer);
     observer.watch(experiment);
@@ -163,7 +163,7 @@ void validateStudy(const Parameters& parameters)
   {
     throw InvalidInput("the founders of a study are random; leave founders out");
   }
-  robustnessWorlds(parameters.experiment.body, parameters.study);
+  robustnessWorlds(softSettings(parameters.experiment.body, "a study"), parameters.study);
 }
 
 RunOutcome runStudy(const Parameters& parameters, const Provenance& provenance, const FarmFactory& make_farm,

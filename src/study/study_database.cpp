@@ -16,11 +16,11 @@ namespace
 std::string settingsText(const SoftBodySettings& body)
 {
   Parameters parameters;
-  parameters.experiment.body = body;
+  parameters.experiment.body = BodySettings(body);
   nlohmann::ordered_json settings = nlohmann::ordered_json::object();
   for (const ParameterSpec& spec : parameterSpecs())
   {
-    if (spec.group == "body" || spec.group == "physics")
+    if (describesBody(spec, BodyKind::SOFT) && spec.body)
     {
       const std::string value = spec.get(parameters);
       const auto parsed = nlohmann::ordered_json::parse(value, nullptr, false);
@@ -73,7 +73,7 @@ StudyDatabase::~StudyDatabase()
 void StudyDatabase::begin(const Parameters& parameters, const Provenance& provenance)
 {
   SQLite::Transaction transaction(connection_->database(), SQLite::TransactionBehavior::IMMEDIATE);
-  if (!createSchema(*connection_, studyFile()))
+  if (!createSchema(*connection_, studyFile(), studyTables()))
   {
     checkResumable(*connection_, parameters.experiment);
   }
@@ -123,13 +123,17 @@ bool StudyDatabase::hasEvaluation(int64_t world, const Hash128& phenotype, bool 
 void StudyDatabase::putEvaluation(int64_t world, const Hash128& phenotype, const Evaluation& evaluation,
                                   bool with_velocities)
 {
-  const auto insert = [&](const auto&... values)
-  {
-    run("INSERT OR REPLACE INTO evaluations (world, phenotype_hash, start, velocities, " DEVO_EVO_EVALUATION_COLUMNS
-        ") VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
-        world, phenotype, start_, velocitiesOf(evaluation, with_velocities), values...);
-  };
-  std::apply(insert, evaluationValues(evaluation));
+  static const std::shared_ptr<const Body> body = makeSoftBody(SoftBodySettings());
+  const std::string sql = "INSERT OR REPLACE INTO evaluations (world, phenotype_hash, start, velocities, " +
+                          evaluationColumns(*body) + ") VALUES (?, ?, ?, ?, " + evaluationMarks(*body) + ")";
+  guarded(path_,
+          [&]
+          {
+            connection_->beginWork();
+            Query query = connection_->query(sql, world, phenotype, start_, velocitiesOf(evaluation, with_velocities));
+            bindEvaluation(query, *body, evaluation);
+            query.run();
+          });
 }
 
 void StudyDatabase::checkReproduced(int64_t world, const Hash128& phenotype, const Evaluation& archived,

@@ -149,9 +149,14 @@ CREATE VIEW champion_robustness AS
 )";
 }  // namespace
 
+const char* studyTables()
+{
+  return TABLES;
+}
+
 const FileKind& studyFile()
 {
-  static const FileKind kind = { 0x64657670, 1, TABLES, "study" };
+  static const FileKind kind = { 0x64657670, 1, "study" };
   return kind;
 }
 }  // namespace devo_evo

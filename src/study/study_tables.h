@@ -6,4 +6,7 @@ namespace devo_evo
 {
 /// `study.db`.
 const FileKind& studyFile();
+
+/// SQL that makes its tables.
+const char* studyTables();
 }  // namespace devo_evo

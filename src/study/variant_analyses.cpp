@@ -19,7 +19,8 @@ Work freezeWork(const StudyContext& study, const RunChampion& champion)
       work.robots.push_back(frozen(champion.program(), moment, scope));
     }
   }
-  work.write = [study, champion, robots = work.robots]
+  const GenomeLayout layout = study.body()->layout(champion.evolution);
+  work.write = [study, champion, layout, robots = work.robots]
   {
     auto robot = robots.begin();
     for (const Moment moment : MOMENTS)
@@ -29,8 +30,8 @@ Work freezeWork(const StudyContext& study, const RunChampion& champion)
         study.database.run(
             "INSERT OR REPLACE INTO variants (arm, trial, id, moment, scope, morphology_window, "
             "control_window, phenotype_hash) VALUES (?, ?, ?, ?, ?, ?, ?, ?)",
-            champion.arm, champion.trial(), champion.id(), toString(moment), toString(scope), morphologyWindow(*robot),
-            controlWindow(*robot, champion.evolution.phaseLimit()), phenotypeHash(*robot));
+            champion.arm, champion.trial(), champion.id(), toString(moment), toString(scope),
+            morphologyWindow(*robot, layout), controlWindow(*robot, layout), phenotypeHash(*robot));
         ++robot;
       }
     }
@@ -88,7 +89,7 @@ Analysis tracesAnalysis(const StudyContext& study, const std::vector<RunChampion
 std::vector<Analysis> robustnessAnalyses(const StudyContext& study, const std::vector<RunChampion>& champions)
 {
   std::vector<Analysis> analyses;
-  for (const World& world : robustnessWorlds(study.parameters.experiment.body, study.parameters.study))
+  for (const World& world : robustnessWorlds(study.parameters.experiment.body.soft, study.parameters.study))
   {
     Analysis analysis = { world, true, {} };
     const int64_t number = study.database.numberOf(world);

@@ -7,15 +7,15 @@ namespace devo_evo
 namespace
 {
 /// Of the traits that evolve, those of body or of control.
-std::vector<TraitSpec> traitsIn(Scope space, const EvolutionSettings& settings)
+std::vector<TraitSpec> traitsIn(Scope space, const GenomeLayout& layout)
 {
   const auto elsewhere = [space](const TraitSpec& trait)
   {
-    const bool of_body = trait.values == &DevelopmentalProgram::size_gene_initial ||
-                         trait.values == &DevelopmentalProgram::size_gene_final;
+    const bool of_body = trait.values == &DevelopmentalProgram::morphology_initial ||
+                         trait.values == &DevelopmentalProgram::morphology_final;
     return of_body != (space == Scope::BODY);
   };
-  std::vector<TraitSpec> traits = evolvingTraits(settings);
+  std::vector<TraitSpec> traits = evolvingTraits(layout);
   traits.erase(std::remove_if(traits.begin(), traits.end(), elsewhere), traits.end());
   return traits;
 }
@@ -52,7 +52,7 @@ std::vector<WalkKind> walkKinds(Treatment treatment, bool with_removed, bool wit
 }
 
 std::vector<Genome> walk(const WalkKind& kind, const Genome& champion, const EvolutionSettings& settings,
-                         const Lattice& lattice, int64_t trial, int64_t number, int64_t steps)
+                         const Body& body, int64_t trial, int64_t number, int64_t steps)
 {
   const std::string key =
       settings.arm() + "/walk/" + toString(kind.space) + "/" + kind.robot() + "/" + kind.mutationOperator();
@@ -64,15 +64,16 @@ std::vector<Genome> walk(const WalkKind& kind, const Genome& champion, const Evo
     walker.treatment = Treatment::EVO;
     genome.program = frozen(champion.program, Moment::BIRTH, Scope::BOTH);
   }
+  const GenomeLayout layout = body.layout(walker);
   RandomStream rates(settings.seed, key, trial, 0, number, RandomPurpose::WALK_RATES);
-  genome.mutation_rate = drawRates(settings, static_cast<size_t>(lattice.voxelCount()), rates);
-  const std::vector<TraitSpec> traits = traitsIn(kind.space, walker);
+  genome.mutation_rate = drawRates(settings, layout.morphology.size, rates);
+  const std::vector<TraitSpec> traits = traitsIn(kind.space, layout);
   std::vector<Genome> genomes = { genome };
   for (int64_t step = 1; step <= steps; ++step)
   {
     RandomStream random(settings.seed, key, trial, step, number, RandomPurpose::WALK_STEP);
-    genomes.push_back(kind.one_voxel ? mutateOneVoxel(genomes.back(), traits, walker, lattice, random)
-                                     : mutateTraits(genomes.back(), traits, walker, lattice, random));
+    genomes.push_back(kind.one_voxel ? mutateOneVoxel(genomes.back(), traits, layout, random)
+                                     : mutateTraits(genomes.back(), traits, walker, layout, random));
   }
   return genomes;
 }
@@ -80,12 +81,12 @@ std::vector<Genome> walk(const WalkKind& kind, const Genome& champion, const Evo
 int64_t voxelsChanged(const DevelopmentalProgram& before, const DevelopmentalProgram& after)
 {
   int64_t changed = 0;
-  for (size_t voxel = 0; voxel < before.phase_initial.size(); ++voxel)
+  for (size_t voxel = 0; voxel < before.control_initial.size(); ++voxel)
   {
     const auto differ = [&](std::vector<double> DevelopmentalProgram::*genes)
     { return (before.*genes)[voxel] != (after.*genes)[voxel]; };
-    changed += differ(&DevelopmentalProgram::size_gene_initial) || differ(&DevelopmentalProgram::size_gene_final) ||
-                       differ(&DevelopmentalProgram::phase_initial) || differ(&DevelopmentalProgram::phase_final)
+    changed += differ(&DevelopmentalProgram::morphology_initial) || differ(&DevelopmentalProgram::morphology_final) ||
+                       differ(&DevelopmentalProgram::control_initial) || differ(&DevelopmentalProgram::control_final)
                    ? 1
                    : 0;
   }

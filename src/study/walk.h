@@ -25,7 +25,7 @@ std::vector<WalkKind> walkKinds(Treatment treatment, bool with_removed, bool wit
 /// The genomes of a walk: the start, and one for each step. A pure function of its arguments.
 /// @param settings of the champion's experiment. @param number of the walk, from 1.
 std::vector<Genome> walk(const WalkKind& kind, const Genome& champion, const EvolutionSettings& settings,
-                         const Lattice& lattice, int64_t trial, int64_t number, int64_t steps);
+                         const Body& body, int64_t trial, int64_t number, int64_t steps);
 
 /// How many voxels differ in at least one gene.
 int64_t voxelsChanged(const DevelopmentalProgram& before, const DevelopmentalProgram& after);

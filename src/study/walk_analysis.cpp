@@ -8,7 +8,7 @@ namespace
 {
 Work walkWork(const StudyContext& study, const RunChampion& champion, const WalkKind& kind, int64_t number)
 {
-  const std::vector<Genome> genomes = walk(kind, champion.individual.genome, champion.evolution, study.lattice(),
+  const std::vector<Genome> genomes = walk(kind, champion.individual.genome, champion.evolution, *study.body(),
                                            champion.trial(), number, study.parameters.study.walk_steps);
   Work work;
   std::vector<std::pair<Hash128, int64_t>> steps;

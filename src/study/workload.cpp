@@ -81,7 +81,7 @@ int64_t evaluationsFor(StudyPart part, const Subject& subject, const Parameters&
     case StudyPart::TRACES:
       return 2;
     case StudyPart::ROBUSTNESS:
-      return static_cast<int64_t>(robustnessWorlds(parameters.experiment.body, study).size());
+      return static_cast<int64_t>(robustnessWorlds(parameters.experiment.body.soft, study).size());
     default:
       return 0;
   }

@@ -4,6 +4,7 @@
 #include "devo_evo/soft_body/text.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <set>
 
@@ -26,11 +27,6 @@ std::string textOf(double number)
   return toText(number + 0.0);
 }
 
-std::string textOf(const std::optional<double>& number)
-{
-  return number ? textOf(*number) : "none";
-}
-
 Fields compareParameters(const ExperimentSettings& a, const ExperimentSettings& b)
 {
   Parameters ours, theirs;
@@ -39,7 +35,7 @@ Fields compareParameters(const ExperimentSettings& a, const ExperimentSettings& 
   Fields fields;
   for (const ParameterSpec& spec : parameterSpecs())
   {
-    if (describesExperiment(spec))
+    if (describesExperiment(spec, a.body.kind) || describesExperiment(spec, b.body.kind))
     {
       compare(fields, spec.name, spec.get(ours), spec.get(theirs));
     }
@@ -77,7 +73,7 @@ Fields compareProvenance(const std::vector<Start>& a, const std::vector<Start>& 
   return fields;
 }
 
-Fields compareIndividuals(const ArchivedIndividual& a, const ArchivedIndividual& b)
+Fields compareIndividuals(const ArchivedIndividual& a, const ArchivedIndividual& b, const Body& body)
 {
   Fields fields;
   const auto parent = [](const ArchivedIndividual& archived)
@@ -92,13 +88,15 @@ Fields compareIndividuals(const ArchivedIndividual& a, const ArchivedIndividual&
   compare(fields, "control_window", textOf(a.control_window), textOf(b.control_window));
   compare(fields, "valid", ours.valid ? "true" : "false", theirs.valid ? "true" : "false");
   compare(fields, "fitness", textOf(ours.fitness), textOf(theirs.fitness));
-  compare(fields, "displacement_xy_voxels", textOf(ours.displacement_xy_voxels), textOf(theirs.displacement_xy_voxels));
-  compare(fields, "first_top_contact_since_birth_s", textOf(ours.first_top_contact_since_birth_s),
-          textOf(theirs.first_top_contact_since_birth_s));
-  compare(fields, "fell_over_since_birth_s", textOf(ours.fell_over_since_birth_s),
-          textOf(theirs.fell_over_since_birth_s));
-  compare(fields, "turns", textOf(ours.turns), textOf(theirs.turns));
-  compare(fields, "airborne_fraction", textOf(ours.airborne_fraction), textOf(theirs.airborne_fraction));
+  for (const Measure& measure : body.measures())
+  {
+    const auto text = [&measure](const Evaluation& evaluation)
+    {
+      const double value = measure.get(evaluation);
+      return std::isnan(value) && measure.may_lack ? "none" : textOf(value);
+    };
+    compare(fields, measure.name, text(ours), text(theirs));
+  }
   compare(fields, "state_hash", hashToString(ours.state_hash), hashToString(theirs.state_hash));
   return fields;
 }
@@ -123,17 +121,17 @@ void compareArrays(Fields& fields, const std::string& name, const std::vector<do
   fields.push_back({ place, toText(*first), toText(*other) });
 }
 
-Fields compareGenomes(const ArchivedIndividual& a, const ArchivedIndividual& b)
+Fields compareGenomes(const ArchivedIndividual& a, const ArchivedIndividual& b, const GenomeLayout& layout)
 {
   Fields fields;
   if (a.has_genome && b.has_genome)
   {
     const DevelopmentalProgram& ours = a.individual.genome.program;
     const DevelopmentalProgram& theirs = b.individual.genome.program;
-    compareArrays(fields, "size_gene_initial", ours.size_gene_initial, theirs.size_gene_initial);
-    compareArrays(fields, "size_gene_final", ours.size_gene_final, theirs.size_gene_final);
-    compareArrays(fields, "phase_initial", ours.phase_initial, theirs.phase_initial);
-    compareArrays(fields, "phase_final", ours.phase_final, theirs.phase_final);
+    compareArrays(fields, layout.morphology.initialName(), ours.morphology_initial, theirs.morphology_initial);
+    compareArrays(fields, layout.morphology.finalName(), ours.morphology_final, theirs.morphology_final);
+    compareArrays(fields, layout.control.initialName(), ours.control_initial, theirs.control_initial);
+    compareArrays(fields, layout.control.finalName(), ours.control_final, theirs.control_final);
     compareArrays(fields, "mutation_rate", a.individual.genome.mutation_rate, b.individual.genome.mutation_rate);
   }
   return fields;
@@ -197,7 +195,7 @@ class TrialComparison
 {
 public:
   TrialComparison(const Archive& a, const Archive& b, int64_t trial)
-    : a_(a), b_(b), trial_(trial), rows_a_(a, trial), rows_b_(b, trial)
+    : a_(a), b_(b), body_(makeBody(a.settings().body)), trial_(trial), rows_a_(a, trial), rows_b_(b, trial)
   {
   }
 
@@ -208,11 +206,12 @@ public:
     for (size_t i = 0; i < std::min(born_a.size(), born_b.size()); ++i)
     {
       const int64_t id = born_a[i].individual.id;
-      Fields fields = id == born_b[i].individual.id ? compareIndividuals(born_a[i], born_b[i])
+      Fields fields = id == born_b[i].individual.id ? compareIndividuals(born_a[i], born_b[i], *body_)
                                                     : Fields{ { "id", toText(id), toText(born_b[i].individual.id) } };
       if (!fields.empty())
       {
-        const Fields arrays = compareGenomes(a_.readIndividual(trial_, id), b_.readIndividual(trial_, id));
+        const Fields arrays = compareGenomes(a_.readIndividual(trial_, id), b_.readIndividual(trial_, id),
+                                             body_->layout(a_.settings().evolution));
         fields.insert(fields.end(), arrays.begin(), arrays.end());
         return TrialDifference{ trial_, generation, id, fields };
       }
@@ -230,6 +229,7 @@ public:
 private:
   const Archive& a_;
   const Archive& b_;
+  const std::shared_ptr<const Body> body_;
   const int64_t trial_;
   Rows rows_a_;
   Rows rows_b_;
@@ -255,6 +255,10 @@ ArchiveComparison compareArchives(const Archive& a, const Archive& b)
   ArchiveComparison comparison;
   comparison.parameters = compareParameters(a.settings(), b.settings());
   comparison.provenance = compareProvenance(a.starts(), b.starts());
+  if (a.settings().body.kind != b.settings().body.kind)
+  {
+    return comparison;  // robots of different kinds have nothing to compare
+  }
   const auto trials_a = a.trials();
   const auto trials_b = b.trials();
   std::set<int64_t> trials(trials_a.begin(), trials_a.end());

@@ -92,7 +92,9 @@ TrialReplay::TrialReplay(const Archive& archive, const ExperimentSettings& setti
   : archive_(archive)
   , settings_(settings)
   , extent_(archive.extentOf(trial))
-  , trial_(settings.evolution, Lattice(settings.body), trial)
+  , body_(makeBody(settings.body))
+  , layout_(body_->layout(settings.evolution))
+  , trial_(settings.evolution, *body_, trial)
 {
 }
 
@@ -149,22 +151,20 @@ ArchivedIndividual TrialReplay::compareBirth(const Individual& born, const Archi
   comparison.check("age", noted.age, born.age, rule);
   comparison.check("genome_hash", archived->genome_hash, genomeHash(born.genome), rule);
   comparison.check("phenotype_hash", archived->phenotype_hash, phenotypeHash(born.genome.program), rule);
-  comparison.check("morphology_window", archived->morphology_window, morphologyWindow(born.genome.program),
+  comparison.check("morphology_window", archived->morphology_window, morphologyWindow(born.genome.program, layout_),
                    "the genome");
-  comparison.check("control_window", archived->control_window,
-                   controlWindow(born.genome.program, settings_.evolution.phaseLimit()), "the genome");
+  comparison.check("control_window", archived->control_window, controlWindow(born.genome.program, layout_),
+                   "the genome");
   if (archived->has_genome && !(noted.genome == born.genome))
   {
     comparison.fail("the stored genome is not the one it was born with, which has the hash " +
                     toHex(archived->genome_hash) + ", but one with " + toHex(genomeHash(noted.genome)));
   }
   stored_genomes_ += archived->has_genome ? 1 : 0;
-  const Evaluation& evaluation = noted.evaluation.value();
-  comparison.check("fitness", evaluation.fitness, evaluation.displacement_y_voxels / settings_.body.grid_y,
-                   "displacement_y_voxels");
   try
   {
-    validate(born.genome, settings_.evolution, settings_.body);
+    body_->validate(noted.evaluation.value());
+    validate(born.genome, settings_.evolution, layout_);
   }
   catch (const InvalidInput& error)
   {
@@ -231,31 +231,25 @@ void TrialReplay::compareSelection(const GenerationRecord& record) const
   check("median_fitness", archived->median_fitness, record.median_fitness);
 }
 
-void compareLife(const Individual& individual, const Evaluation& repeated)
+void compareLife(const Individual& individual, const Evaluation& repeated, const Body& body)
 {
   const Comparison comparison(individual);
   const Evaluation& archived = individual.evaluation.value();
   const std::string by = "simulating it again";
   comparison.check("valid", archived.valid, repeated.valid, by);
   comparison.check("fitness", archived.fitness, repeated.fitness, by);
-  comparison.check("displacement_y_voxels", archived.displacement_y_voxels, repeated.displacement_y_voxels, by);
-  comparison.check("displacement_xy_voxels", archived.displacement_xy_voxels, repeated.displacement_xy_voxels, by);
-  comparison.check("first_top_contact_since_birth_s", archived.first_top_contact_since_birth_s,
-                   repeated.first_top_contact_since_birth_s, by);
-  comparison.check("fell_over_since_birth_s", archived.fell_over_since_birth_s, repeated.fell_over_since_birth_s, by);
-  comparison.check("turns", archived.turns, repeated.turns, by);
-  comparison.check("airborne_fraction", archived.airborne_fraction, repeated.airborne_fraction, by);
+  for (const Measure& measure : body.measures())
+  {
+    comparison.check(measure.name, measure.get(archived), measure.get(repeated), by);
+  }
   if (archived.state_hash != repeated.state_hash)
   {
     comparison.fail("state_hash is " + hashToString(archived.state_hash) + " in the archive, but " +
                     hashToString(repeated.state_hash) + " by " + by);
   }
-  if (archived.divergence && repeated.divergence)
+  for (const Measure& measure : body.failureMeasures())
   {
-    comparison.check("divergence_step", archived.divergence->step, repeated.divergence->step, by);
-    comparison.check("divergence_bond", static_cast<int64_t>(archived.divergence->bond),
-                     static_cast<int64_t>(repeated.divergence->bond), by);
-    comparison.check("divergence_strain", archived.divergence->strain, repeated.divergence->strain, by);
+    comparison.check(measure.name, measure.get(archived), measure.get(repeated), by);
   }
 }
 }  // namespace devo_evo

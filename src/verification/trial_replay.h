@@ -38,6 +38,8 @@ private:
   const Archive& archive_;
   const ExperimentSettings settings_;
   const TrialExtent extent_;
+  std::shared_ptr<const Body> body_;
+  GenomeLayout layout_;
   Trial trial_;
   std::vector<Individual> candidates_;
   bool selected_ = false;
@@ -47,5 +49,5 @@ private:
 };
 
 /// Compares the outcome of a repeated life with the archive. @throw Offence naming the first measure that differs.
-void compareLife(const Individual& archived, const Evaluation& repeated);
+void compareLife(const Individual& archived, const Evaluation& repeated, const Body& body);
 }  // namespace devo_evo

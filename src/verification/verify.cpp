@@ -69,7 +69,7 @@ private:
 class Lives
 {
 public:
-  explicit Lives(Farm& farm) : farm_(farm) {}
+  Lives(Farm& farm, std::shared_ptr<const Body> body) : farm_(farm), body_(std::move(body)) {}
 
   void repeat(const std::vector<Individual>& individuals)
   {
@@ -97,7 +97,7 @@ public:
       ++repeated_;
       try
       {
-        compareLife(individual.mapped(), result.evaluation);
+        compareLife(individual.mapped(), result.evaluation, *body_);
       }
       catch (const Offence& offence)
       {
@@ -112,6 +112,7 @@ public:
 
 private:
   Farm& farm_;
+  const std::shared_ptr<const Body> body_;
   std::map<std::pair<int64_t, int64_t>, Individual> pending_;
   std::vector<Offence> offences_;
   int64_t repeated_ = 0;
@@ -130,7 +131,11 @@ class Verifier
 public:
   Verifier(const Archive& archive, const VerificationScope& scope, Farm& farm,
            const std::function<bool(const Verification&)>& progress)
-    : archive_(archive), settings_(archive.settings()), chosen_(archive, scope), lives_(farm), progress_(progress)
+    : archive_(archive)
+    , settings_(archive.settings())
+    , chosen_(archive, scope)
+    , lives_(farm, makeBody(settings_.body))
+    , progress_(progress)
   {
   }
 

@@ -94,6 +94,7 @@ TEST_F(ArchiveTest, everybodyWhoEverLivedIsReadBackToTheLastBit)
   open();
   evolveTo(30);
   const std::unique_ptr<Archive> reader = openArchiveForReading(settings_.output);
+  const GenomeLayout layout = makeBody(settings_.body)->layout(settings_.evolution);
   int invalid = 0;
   for (const auto& [id, individual] : born_)
   {
@@ -102,8 +103,8 @@ TEST_F(ArchiveTest, everybodyWhoEverLivedIsReadBackToTheLastBit)
     EXPECT_EQ(archived.individual.parent, individual.parent);
     EXPECT_EQ(archived.individual.generation, individual.generation);
     EXPECT_EQ(archived.individual.age, individual.age);
-    EXPECT_EQ(archived.morphology_window, morphologyWindow(individual.genome.program));
-    EXPECT_EQ(archived.control_window, controlWindow(individual.genome.program, settings_.evolution.phaseLimit()));
+    EXPECT_EQ(archived.morphology_window, morphologyWindow(individual.genome.program, layout));
+    EXPECT_EQ(archived.control_window, controlWindow(individual.genome.program, layout));
     expectSame(*archived.individual.evaluation, *individual.evaluation);
     invalid += individual.evaluation->valid ? 0 : 1;
   }
@@ -174,7 +175,7 @@ TEST_F(ArchiveTest, aGenomeOfADeadBranchThatAnotherVersionMakesDifferentlyIsNotG
       .exec("UPDATE individuals SET genome_hash = zeroblob(16) WHERE id = " + std::to_string(dead));
   const ArchivedIndividual archived = archive_->readIndividual(TRIAL, dead);
   EXPECT_FALSE(archived.has_genome);
-  EXPECT_TRUE(archived.individual.genome.program.size_gene_initial.empty());
+  EXPECT_TRUE(archived.individual.genome.program.morphology_initial.empty());
 }
 
 TEST_F(ArchiveTest, aLineageLeadsFromTheOldestAncestorToTheIndividual)
@@ -261,7 +262,7 @@ TEST_F(ArchiveTest, severalTrialsStandSideBySide)
 TEST_F(ArchiveTest, aGenerationWithoutAnyValidRobotHasNoNumbers)
 {
   open();
-  Trial trial(settings_.evolution, Lattice(settings_.body), TRIAL);
+  Trial trial(settings_.evolution, *makeBody(settings_.body), TRIAL);
   for (const int64_t id : trial.awaiting())
   {
     Evaluation diverged;
@@ -282,7 +283,7 @@ TEST_F(ArchiveTest, generationsOfSeveralTrialsAreCommittedTogetherOrNotAtAll)
   std::vector<GenerationRecord> records;
   for (const int64_t number : { 1, 2, 3 })
   {
-    Trial trial(settings_.evolution, Lattice(settings_.body), number);
+    Trial trial(settings_.evolution, *makeBody(settings_.body), number);
     evaluateAll(trial);
     records.push_back(trial.select());
   }

@@ -282,7 +282,7 @@ TEST_F(FailureTest, aFullDiskKeepsWhatWasCommitted)
   int64_t committed = -1;
   {
     const auto archive = openArchiveForWriting(settings_, someProvenance(), FULL);
-    Trial trial(settings_.evolution, Lattice(settings_.body), 1);
+    Trial trial(settings_.evolution, *makeBody(settings_.body), 1);
     while (message.empty())
     {
       evaluateAll(trial);

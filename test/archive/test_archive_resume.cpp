@@ -28,8 +28,8 @@ TEST_F(ResumeTest, settingsAreReadBackExactly)
 {
   TemporaryFolder other;
   ExperimentSettings settings = smallExperiment(other.path());
-  settings.body.lifetime = 0.1 + 0.2;  // 0.30000000000000004
-  settings.body.self_collision = false;
+  settings.body.soft.lifetime = 0.1 + 0.2;  // 0.30000000000000004
+  settings.body.soft.self_collision = false;
   settings.evolution.treatment = Treatment::EVO;
   settings.evolution.profile = Profile::RELEASED_CODE;
   settings.evolution.mutation_rate = 1.0 / 3.0;
@@ -37,9 +37,9 @@ TEST_F(ResumeTest, settingsAreReadBackExactly)
   settings.trials = 5;
   const ExperimentSettings archived = openArchiveForWriting(settings, someProvenance())->settings();
   EXPECT_EQ(archived.output, other.path());
-  EXPECT_EQ(archived.body.lifetime, settings.body.lifetime);
-  EXPECT_EQ(archived.body.grid_x, 2);
-  EXPECT_FALSE(archived.body.self_collision);
+  EXPECT_EQ(archived.body.soft.lifetime, settings.body.soft.lifetime);
+  EXPECT_EQ(archived.body.soft.grid_x, 2);
+  EXPECT_FALSE(archived.body.soft.self_collision);
   EXPECT_EQ(archived.evolution.treatment, Treatment::EVO);
   EXPECT_EQ(archived.evolution.profile, Profile::RELEASED_CODE);
   EXPECT_EQ(archived.evolution.mutation_rate, settings.evolution.mutation_rate);
@@ -56,7 +56,7 @@ TEST_F(ResumeTest, theSameExperimentIsResumed)
 TEST_F(ResumeTest, everyDifferenceIsNamedWithBothValues)
 {
   ExperimentSettings other = settings_;
-  other.body.lifetime = 5.0;
+  other.body.soft.lifetime = 5.0;
   other.evolution.treatment = Treatment::EVO;
   other.evolution.mutation_rate = 0.5;
   const std::string message = refusal(other);
@@ -68,10 +68,10 @@ TEST_F(ResumeTest, everyDifferenceIsNamedWithBothValues)
 TEST_F(ResumeTest, whateverDecidesTheResultsMustAgree)
 {
   const std::vector<void (*)(ExperimentSettings&)> changes = {
-    [](ExperimentSettings& settings) { settings.body.grid_z = 2; },
-    [](ExperimentSettings& settings) { settings.body.lifetime = 9.0; },
-    [](ExperimentSettings& settings) { settings.body.gravity = 1.6; },
-    [](ExperimentSettings& settings) { settings.body.self_collision = false; },
+    [](ExperimentSettings& settings) { settings.body.soft.grid_z = 2; },
+    [](ExperimentSettings& settings) { settings.body.soft.lifetime = 9.0; },
+    [](ExperimentSettings& settings) { settings.body.soft.gravity = 1.6; },
+    [](ExperimentSettings& settings) { settings.body.soft.self_collision = false; },
     [](ExperimentSettings& settings) { settings.evolution.treatment = Treatment::EVO; },
     [](ExperimentSettings& settings) { settings.evolution.profile = Profile::RELEASED_CODE; },
     [](ExperimentSettings& settings) { settings.evolution.mutation_rate = 0.1; },
@@ -142,7 +142,7 @@ TEST_F(ResumeTest, aParameterThatTheArchiveDoesNotKnowHadItsDefaultValue)
   openFile(settings_.output, SQLite::OPEN_READWRITE).exec("DELETE FROM parameters WHERE name = 'self_collision'");
   EXPECT_EQ(refusal(settings_), "");
   openFile(settings_.output, SQLite::OPEN_READWRITE).exec("DELETE FROM parameters WHERE name = 'self_collision'");
-  settings_.body.self_collision = false;
+  settings_.body.soft.self_collision = false;
   EXPECT_NE(refusal(settings_).find("self_collision is true there and false here"), std::string::npos);
 }
 

@@ -40,9 +40,9 @@ private:
 inline ExperimentSettings smallExperiment(const std::string& output)
 {
   ExperimentSettings settings;
-  settings.body.grid_x = 2;
-  settings.body.grid_y = 2;
-  settings.body.grid_z = 1;
+  settings.body.soft.grid_x = 2;
+  settings.body.soft.grid_y = 2;
+  settings.body.soft.grid_z = 1;
   settings.evolution.population = 8;
   settings.generations = 10;
   settings.output = output;
@@ -58,12 +58,12 @@ inline Provenance someProvenance()
 inline Evaluation madeUpEvaluation(const DevelopmentalProgram& program)
 {
   Evaluation evaluation;
-  const auto& final_sizes = program.size_gene_final;
+  const auto& final_sizes = program.morphology_final;
   const double sum = std::accumulate(final_sizes.begin(), final_sizes.end(), 0.0);
-  evaluation.valid = program.phase_initial.front() < 0.24;
+  evaluation.valid = program.control_initial.front() < 0.24;
   if (!evaluation.valid)
   {
-    evaluation.divergence = Divergence{ 1234, 2, 1.0 + 100.0 * program.phase_initial.front() };
+    evaluation.divergence = Divergence{ 1234, 2, 1.0 + 100.0 * program.control_initial.front() };
     return evaluation;
   }
   evaluation.fitness = sum / static_cast<double>(final_sizes.size());
@@ -73,7 +73,7 @@ inline Evaluation madeUpEvaluation(const DevelopmentalProgram& program)
   {
     evaluation.first_top_contact_since_birth_s = sum;
   }
-  evaluation.turns = program.size_gene_initial.front();
+  evaluation.turns = program.morphology_initial.front();
   evaluation.airborne_fraction = 0.1;
   evaluation.velocity_body_lengths_per_s = { 0.5, 0.25 };
   const Hash128 hash = phenotypeHash(program);
@@ -95,14 +95,14 @@ inline void evaluateAll(Trial& trial)
 /// Begins a trial, or goes on with it where the archive ends.
 inline Trial beginOrResume(const Archive& archive, const ExperimentSettings& settings, int64_t number)
 {
-  const Lattice lattice(settings.body);
+  const std::shared_ptr<const Body> body = makeBody(settings.body);
   auto states = archive.trialStates();
   const auto state = states.find(number);
   if (state == states.end())
   {
-    return Trial(settings.evolution, lattice, number);
+    return Trial(settings.evolution, *body, number);
   }
-  Trial trial(settings.evolution, lattice, number, state->second.generation, std::move(state->second.survivors),
+  Trial trial(settings.evolution, *body, number, state->second.generation, std::move(state->second.survivors),
               state->second.next_id);
   trial.breed();
   return trial;

@@ -55,11 +55,11 @@ private:
     evaluation.valid = true;
     evaluation.fitness = 0.0;
     double weight = 1.0;
-    for (size_t i = 0; i < program.size_gene_initial.size(); ++i)
+    for (size_t i = 0; i < program.morphology_initial.size(); ++i)
     {
       weight = -0.97 * weight;
-      evaluation.fitness += weight * (program.size_gene_initial[i] + 0.5 * program.size_gene_final[i] +
-                                      program.phase_initial[i] * program.phase_final[i]);
+      evaluation.fitness += weight * (program.morphology_initial[i] + 0.5 * program.morphology_final[i] +
+                                      program.control_initial[i] * program.control_final[i]);
     }
     evaluation.displacement_y_voxels = 4.0 * evaluation.fitness;
     evaluation.displacement_xy_voxels = std::abs(evaluation.displacement_y_voxels);

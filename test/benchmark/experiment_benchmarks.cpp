@@ -66,7 +66,7 @@ public:
   PreparedExperiment(const ExperimentScene& scene, int threads)
     : settings_(settingsOf(scene, folder_.path()))
     , archive_(openArchiveForWriting(settings_, Provenance{}))
-    , farm_(makeLocalFarm(settings_.body, threads))
+    , farm_(makeLocalFarm(makeBody(settings_.body), threads))
     , experiment_(settings_, *archive_, *farm_, observer_)
   {
   }

@@ -45,7 +45,7 @@ Evaluation inventedEvaluation(const DevelopmentalProgram& robot, const SoftBodyS
 {
   Evaluation evaluation;
   evaluation.valid = true;
-  evaluation.fitness = mean(robot.size_gene_final) + mean(robot.phase_final);
+  evaluation.fitness = mean(robot.morphology_final) + mean(robot.control_final);
   evaluation.displacement_y_voxels = evaluation.fitness * settings.grid_y;
   evaluation.displacement_xy_voxels = std::abs(evaluation.displacement_y_voxels);
   evaluation.turns = 0.0;
@@ -77,7 +77,9 @@ public:
     announcement_.name = ros::names::resolve(name);
     announcement_.service = service_.getService();
     announcement_.host = "fake";
-    announcement_.engine_fingerprint = fingerprint;
+    announcement_.engines.resize(1);
+    announcement_.engines[0].body = "soft";
+    announcement_.engines[0].fingerprint = fingerprint;
     announcement_.instruction_set = "avx512";
     announcement_.lanes = LANES;
     announcement_.period = ANNOUNCEMENT_PERIOD;
@@ -90,10 +92,11 @@ private:
   bool answer(const EvaluateGenomes::Request& request, EvaluateGenomes::Response& response)
   {
     const Clock::time_point begin = Clock::now();
-    const SoftBodySettings settings = fromMsg(request.settings);
-    for (const EvaluationRequest& robot : robotsOf(request, settings))
+    const SoftBodySettings settings = fromMsg(request.settings).soft;
+    const std::shared_ptr<const Body> body = makeSoftBody(settings);
+    for (const EvaluationRequest& robot : robotsOf(request, *body))
     {
-      response.evaluations.push_back(toMsg(inventedEvaluation(robot.program, settings), robot.trial, robot.id));
+      response.evaluations.push_back(toMsg(inventedEvaluation(robot.program, settings), robot.trial, robot.id, *body));
     }
     if (!request.genomes.empty())
     {

@@ -1,5 +1,6 @@
 #include "benchmark/life_scenes.h"
 
+#include "devo_evo/bodies/bodies.h"
 #include "devo_evo/evolution/genome.h"
 
 #include "soft_body/reference_data.h"
@@ -21,11 +22,11 @@ std::vector<DevelopmentalProgram> randomRobots(const SoftBodySettings& body, Tre
   EvolutionSettings evolution;
   evolution.treatment = treatment;
   evolution.profile = profile;
-  const Lattice lattice(body);
+  const GenomeLayout layout = makeSoftBody(body)->layout(evolution);
   std::vector<DevelopmentalProgram> robots;
   for (int id = 0; id < count; ++id)
   {
-    robots.push_back(bornGenome(evolution, lattice, 1, 0, id, nullptr).program);
+    robots.push_back(bornGenome(evolution, layout, 1, 0, id, nullptr).program);
   }
   return robots;
 }

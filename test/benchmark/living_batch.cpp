@@ -68,10 +68,10 @@ void LivingBatch::placeRobot(int lane, const DevelopmentalProgram& program)
     }
     at(lane, voxel, ORIENTATION) = 1.0;
     at(lane, voxel, SCALE) = L;
-    at(lane, voxel, SIZE_AT_BIRTH) = length(program.size_gene_initial[i]);
-    at(lane, voxel, SIZE_CHANGE) = length(program.size_gene_final[i]) - length(program.size_gene_initial[i]);
-    at(lane, voxel, PHASE_AT_BIRTH) = program.phase_initial[i];
-    at(lane, voxel, PHASE_CHANGE) = program.phase_final[i] - program.phase_initial[i];
+    at(lane, voxel, SIZE_AT_BIRTH) = length(program.morphology_initial[i]);
+    at(lane, voxel, SIZE_CHANGE) = length(program.morphology_final[i]) - length(program.morphology_initial[i]);
+    at(lane, voxel, PHASE_AT_BIRTH) = program.control_initial[i];
+    at(lane, voxel, PHASE_CHANGE) = program.control_final[i] - program.control_initial[i];
   }
 }
 

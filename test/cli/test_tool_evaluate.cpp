@@ -1,6 +1,7 @@
 #include "cli/tool_process.h"
 
 #include "devo_evo/experiment/json_lines.h"
+#include "devo_evo/bodies/bodies.h"
 #include "devo_evo/soft_body/simulation.h"
 
 #include <gtest/gtest.h>
@@ -72,7 +73,7 @@ TEST(EvaluateCommand, WritesWhatTheLibraryComputes)
   SoftBodySettings settings;
   settings.lifetime = 0.6;
   std::istringstream input(lines);
-  RobotReader reader(input, "reference", settings);
+  RobotReader reader(input, "reference", *makeSoftBody(settings));
   ASSERT_EQ(results.size(), 3u);
   for (const Json& result : results)
   {

@@ -12,8 +12,6 @@ using namespace devo_evo;
 
 namespace
 {
-const Lattice LATTICE(4, 4, 3);
-
 Candidate valid(int64_t id, int64_t age, double fitness)
 {
   return { id, age, true, fitness };
@@ -47,7 +45,7 @@ GenerationRecord evaluateAndSelect(Trial& trial)
   {
     Evaluation evaluation;
     evaluation.valid = true;
-    evaluation.fitness = trial.individual(id).genome.program.size_gene_initial[0];
+    evaluation.fitness = trial.individual(id).genome.program.morphology_initial[0];
     trial.setEvaluation(id, evaluation);
   }
   return trial.select();
@@ -66,7 +64,7 @@ TEST(RandomSearch, keepsTheFittestWhateverTheirAge)
 TEST(RandomSearch, makesAsManyRobotsAsEvolutionAndAllAtRandom)
 {
   const EvolutionSettings settings = baseline(Selection::RANDOM_SEARCH);
-  Trial trial(settings, LATTICE, 1);
+  Trial trial(settings, paperBody(), 1);
   GenerationRecord record = evaluateAndSelect(trial);
   double best = record.best_fitness;
   for (int generation = 1; generation <= 5; ++generation)
@@ -79,7 +77,7 @@ TEST(RandomSearch, makesAsManyRobotsAsEvolutionAndAllAtRandom)
     for (const Individual& newcomer : record.newcomers)
     {
       EXPECT_EQ(Individual::NO_PARENT, newcomer.parent);
-      EXPECT_EQ(bornGenome(settings, LATTICE, 1, generation, newcomer.id, nullptr), newcomer.genome);
+      EXPECT_EQ(bornGenome(settings, layoutOf(settings), 1, generation, newcomer.id, nullptr), newcomer.genome);
     }
   }
 }
@@ -148,9 +146,9 @@ TEST(Baselines, goOnFromTheirSurvivorsAsIfNothingHadHappened)
   for (const Selection selection : { Selection::NEUTRAL, Selection::RANDOM_SEARCH })
   {
     const EvolutionSettings settings = baseline(selection);
-    Trial unbroken(settings, LATTICE, 1);
+    Trial unbroken(settings, paperBody(), 1);
     evaluateAndSelect(unbroken);
-    Trial resumed(settings, LATTICE, 1, 0, unbroken.individuals(), unbroken.nextId());
+    Trial resumed(settings, paperBody(), 1, 0, unbroken.individuals(), unbroken.nextId());
     for (int generation = 0; generation < 4; ++generation)
     {
       unbroken.breed();

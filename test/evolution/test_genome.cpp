@@ -1,4 +1,5 @@
 #include "devo_evo/evolution/genome.h"
+#include "devo_evo/soft_body/lattice.h"
 #include "evolution/settings_of.h"
 
 #include <gtest/gtest.h>
@@ -12,9 +13,9 @@ namespace
 {
 const Lattice LATTICE(4, 4, 3);
 
-Genome founder(const EvolutionSettings& settings, int64_t id = 0, const Lattice& lattice = LATTICE)
+Genome founder(const EvolutionSettings& settings, int64_t id = 0, const Body& body = paperBody())
 {
-  return bornGenome(settings, lattice, 0, 0, id, nullptr);
+  return bornGenome(settings, body.layout(settings), 0, 0, id, nullptr);
 }
 
 std::vector<EvolutionSettings> everyArm()
@@ -36,7 +37,7 @@ std::string complaint(const Genome& genome, const EvolutionSettings& settings)
 {
   try
   {
-    validate(genome, settings, SoftBodySettings());
+    validate(genome, settings, layoutOf(settings));
   }
   catch (const InvalidInput& error)
   {
@@ -48,12 +49,12 @@ std::string complaint(const Genome& genome, const EvolutionSettings& settings)
 
 TEST(Traits, areTwoWithoutDevelopmentAndFourWithIt)
 {
-  const std::vector<TraitSpec> evo = evolvingTraits(settingsOf(Treatment::EVO, Profile::PAPER));
+  const std::vector<TraitSpec> evo = evolvingTraits(layoutOf(settingsOf(Treatment::EVO, Profile::PAPER)));
   ASSERT_EQ(2u, evo.size());
   EXPECT_EQ("size_gene_initial", evo[0].name);
   EXPECT_EQ("phase_initial", evo[1].name);
 
-  const std::vector<TraitSpec> evo_devo = evolvingTraits(settingsOf(Treatment::EVO_DEVO, Profile::PAPER));
+  const std::vector<TraitSpec> evo_devo = evolvingTraits(layoutOf(settingsOf(Treatment::EVO_DEVO, Profile::PAPER)));
   ASSERT_EQ(4u, evo_devo.size());
   EXPECT_EQ("size_gene_initial", evo_devo[0].name);
   EXPECT_EQ("size_gene_final", evo_devo[1].name);
@@ -66,11 +67,11 @@ TEST(Traits, sizesAreMirroredAndPhasesHaveTheProfilesRange)
   for (const EvolutionSettings& settings : everyArm())
   {
     const double phase_range = settings.profile == Profile::PAPER ? 0.25 : 1.0;
-    for (const TraitSpec& trait : evolvingTraits(settings))
+    for (const TraitSpec& trait : evolvingTraits(layoutOf(settings)))
     {
       const bool is_size = trait.name.find("size_gene") == 0;
-      EXPECT_EQ(is_size, trait.mirrored);
-      EXPECT_EQ(is_size ? 1.0 : phase_range, trait.limit);
+      EXPECT_EQ(is_size, trait.mirrored());
+      EXPECT_EQ(is_size ? 1.0 : phase_range, trait.maximum);
       EXPECT_EQ(is_size ? 1.0 : phase_range, trait.mutation_sigma);
     }
   }
@@ -84,7 +85,7 @@ TEST(Genome, isValidWhenBornAndAfterManyMutationsInEveryArm)
     EXPECT_EQ("", complaint(genome, settings));
     for (int64_t generation = 1; generation <= 100; ++generation)
     {
-      genome = bornGenome(settings, LATTICE, 0, generation, generation, &genome);
+      genome = bornGenome(settings, layoutOf(settings), 0, generation, generation, &genome);
       ASSERT_EQ("", complaint(genome, settings)) << settings.arm();
     }
   }
@@ -95,7 +96,7 @@ TEST(Genome, drawsTheHalfAtUpperXAndMirrorsItToTheOther)
   const EvolutionSettings settings = settingsOf(Treatment::EVO, Profile::PAPER, 0.5);
   RandomStream random(1, "arm", 0, 0, 0, RandomPurpose::FOUNDER_GENOME);
   RandomStream same_random = random;
-  const std::vector<double> sizes = randomGenome(settings, LATTICE, random).program.size_gene_initial;
+  const std::vector<double> sizes = randomGenome(settings, layoutOf(settings), random).program.morphology_initial;
   for (int z = 0; z < 3; ++z)
   {
     for (int y = 0; y < 4; ++y)
@@ -113,10 +114,11 @@ TEST(Genome, drawsTheHalfAtUpperXAndMirrorsItToTheOther)
 TEST(Genome, keepsAMiddleColumnOfItsOwn)
 {
   const Lattice lattice(5, 2, 2);
+  const std::shared_ptr<const Body> body = bodyOf(5, 2, 2);
   const EvolutionSettings settings = settingsOf(Treatment::EVO, Profile::PAPER, 1.0);
-  Genome genome = founder(settings, 0, lattice);
-  genome = bornGenome(settings, lattice, 0, 1, 1, &genome);
-  const std::vector<double>& sizes = genome.program.size_gene_initial;
+  Genome genome = founder(settings, 0, *body);
+  genome = bornGenome(settings, body->layout(settings), 0, 1, 1, &genome);
+  const std::vector<double>& sizes = genome.program.morphology_initial;
   for (int row = 0; row < 4; ++row)
   {
     const double* x = &sizes[5 * row];
@@ -129,7 +131,7 @@ TEST(Genome, keepsAMiddleColumnOfItsOwn)
 
 TEST(Genome, doesNotMirrorPhases)
 {
-  const std::vector<double> phases = founder(settingsOf(Treatment::EVO, Profile::PAPER)).program.phase_initial;
+  const std::vector<double> phases = founder(settingsOf(Treatment::EVO, Profile::PAPER)).program.control_initial;
   for (int voxel = 0; voxel < LATTICE.voxelCount(); ++voxel)
   {
     EXPECT_NE(phases[voxel], phases[LATTICE.mirrored(voxel)]);
@@ -141,7 +143,7 @@ TEST(Genome, hasNoMutationRatesOfItsOwnIfTheyAreFixed)
   const EvolutionSettings settings = settingsOf(Treatment::EVO_DEVO, Profile::RELEASED_CODE, 0.5);
   const Genome parent = founder(settings);
   EXPECT_TRUE(parent.mutation_rate.empty());
-  EXPECT_TRUE(bornGenome(settings, LATTICE, 0, 1, 1, &parent).mutation_rate.empty());
+  EXPECT_TRUE(bornGenome(settings, layoutOf(settings), 0, 1, 1, &parent).mutation_rate.empty());
 }
 
 TEST(Mutation, leavesOtherTraitsAlone)
@@ -152,9 +154,9 @@ TEST(Mutation, leavesOtherTraitsAlone)
   {
     RandomStream random(1, "arm", 0, 1, id, RandomPurpose::MUTATION);
     MutationRecord record;
-    const Genome child = mutate(parent, settings, LATTICE, random, &record);
+    const Genome child = mutate(parent, settings, layoutOf(settings), random, &record);
     ASSERT_FALSE(record.traits.empty());
-    for (const TraitSpec& trait : evolvingTraits(settings))
+    for (const TraitSpec& trait : evolvingTraits(layoutOf(settings)))
     {
       const bool selected = std::find(record.traits.begin(), record.traits.end(), trait.name) != record.traits.end();
       EXPECT_EQ(selected, child.program.*trait.values != parent.program.*trait.values);
@@ -172,8 +174,8 @@ TEST(Mutation, usesTheChildsOwnRates)
   int certain = 0;
   for (int64_t id = 0; id < 100; ++id)
   {
-    const Genome child = bornGenome(settings, LATTICE, 0, 1, id, &parent);
-    if (child.program.phase_initial == parent.program.phase_initial)
+    const Genome child = bornGenome(settings, layoutOf(settings), 0, 1, id, &parent);
+    if (child.program.control_initial == parent.program.control_initial)
     {
       continue;
     }
@@ -183,7 +185,7 @@ TEST(Mutation, usesTheChildsOwnRates)
       if (rate == 0.0 || rate == 1.0)
       {
         ++certain;
-        ASSERT_EQ(rate == 1.0, child.program.phase_initial[voxel] != parent.program.phase_initial[voxel]);
+        ASSERT_EQ(rate == 1.0, child.program.control_initial[voxel] != parent.program.control_initial[voxel]);
       }
     }
   }
@@ -194,33 +196,33 @@ TEST(Mutation, atRateZeroCopiesTheParent)
 {
   const EvolutionSettings settings = settingsOf(Treatment::EVO_DEVO, Profile::PAPER, 0.0);
   const Genome parent = founder(settings);
-  EXPECT_EQ(parent, bornGenome(settings, LATTICE, 0, 1, 1, &parent));
+  EXPECT_EQ(parent, bornGenome(settings, layoutOf(settings), 0, 1, 1, &parent));
 }
 
 TEST(BornGenome, dependsOnSeedArmTrialGenerationAndId)
 {
   EvolutionSettings settings = settingsOf(Treatment::EVO_DEVO, Profile::PAPER);
   const Genome parent = founder(settings);
-  const Genome child = bornGenome(settings, LATTICE, 3, 4, 5, &parent);
-  EXPECT_EQ(child, bornGenome(settings, LATTICE, 3, 4, 5, &parent));
-  EXPECT_FALSE(child == bornGenome(settings, LATTICE, 2, 4, 5, &parent));
-  EXPECT_FALSE(child == bornGenome(settings, LATTICE, 3, 3, 5, &parent));
-  EXPECT_FALSE(child == bornGenome(settings, LATTICE, 3, 4, 6, &parent));
+  const Genome child = bornGenome(settings, layoutOf(settings), 3, 4, 5, &parent);
+  EXPECT_EQ(child, bornGenome(settings, layoutOf(settings), 3, 4, 5, &parent));
+  EXPECT_FALSE(child == bornGenome(settings, layoutOf(settings), 2, 4, 5, &parent));
+  EXPECT_FALSE(child == bornGenome(settings, layoutOf(settings), 3, 3, 5, &parent));
+  EXPECT_FALSE(child == bornGenome(settings, layoutOf(settings), 3, 4, 6, &parent));
   settings.seed = 2;
-  EXPECT_FALSE(child == bornGenome(settings, LATTICE, 3, 4, 5, &parent));
+  EXPECT_FALSE(child == bornGenome(settings, layoutOf(settings), 3, 4, 5, &parent));
 }
 
 TEST(GenomeValidation, namesArrayVoxelValueAndRule)
 {
   const EvolutionSettings paper = settingsOf(Treatment::EVO_DEVO, Profile::PAPER);
   Genome genome = founder(paper);
-  genome.program.phase_final[17] = 0.5;
+  genome.program.control_final[17] = 0.5;
   EXPECT_EQ("phase_final[17] is 0.5; it must lie within -0.25 to 0.25", complaint(genome, paper));
   EXPECT_EQ("", complaint(genome, settingsOf(Treatment::EVO_DEVO, Profile::RELEASED_CODE)));
 
   genome = founder(paper);
-  genome.program.size_gene_initial[3] = 0.5;
-  genome.program.size_gene_initial[0] = 0.75;
+  genome.program.morphology_initial[3] = 0.5;
+  genome.program.morphology_initial[0] = 0.75;
   EXPECT_EQ("size_gene_initial[0] is 0.75; it must equal its mirror image, [3], which is 0.5",
             complaint(genome, paper));
 
@@ -243,8 +245,8 @@ TEST(GenomeValidation, refusesDevelopmentWhereThereIsNone)
 {
   const EvolutionSettings evo = settingsOf(Treatment::EVO, Profile::PAPER);
   Genome genome = founder(evo);
-  genome.program.phase_initial[5] = 0.0;
-  genome.program.phase_final[5] = 0.125;
+  genome.program.control_initial[5] = 0.0;
+  genome.program.control_final[5] = 0.125;
   EXPECT_EQ("phase_final[5] is 0.125; without development it must equal the initial value, which is 0",
             complaint(genome, evo));
 }
@@ -252,7 +254,7 @@ TEST(GenomeValidation, refusesDevelopmentWhereThereIsNone)
 TEST(GenomeValidation, refusesTheWrongGrid)
 {
   const EvolutionSettings settings = settingsOf(Treatment::EVO, Profile::PAPER);
-  EXPECT_THROW(validate(founder(settings, 0, Lattice(4, 4, 2)), settings, SoftBodySettings()), InvalidInput);
+  EXPECT_THROW(validate(founder(settings, 0, *bodyOf(4, 4, 2)), settings, layoutOf(settings)), InvalidInput);
 }
 
 TEST(Hashes, areTheDocumentedHalfOfSha256)
@@ -274,6 +276,6 @@ TEST(Hashes, ofPhenotypesDoNotDependOnMutationRates)
   other.mutation_rate[0] = 0.5;
   EXPECT_EQ(phenotypeHash(genome.program), phenotypeHash(other.program));
   EXPECT_NE(genomeHash(genome), genomeHash(other));
-  other.program.phase_final[47] += 0x1p-50;
+  other.program.control_final[47] += 0x1p-50;
   EXPECT_NE(phenotypeHash(genome.program), phenotypeHash(other.program));
 }

@@ -2,6 +2,7 @@
 // released code. Seeds are fixed; tolerances are four standard errors and half a unit of a table's last digit.
 
 #include "devo_evo/evolution/genome.h"
+#include "devo_evo/soft_body/lattice.h"
 #include "evolution/settings_of.h"
 
 #include <gtest/gtest.h>
@@ -41,12 +42,12 @@ private:
 
 Genome founder(const EvolutionSettings& settings, int64_t id)
 {
-  return bornGenome(settings, LATTICE, 0, 0, id, nullptr);
+  return bornGenome(settings, layoutOf(settings), 0, 0, id, nullptr);
 }
 
 Genome childOf(const Genome& parent, const EvolutionSettings& settings, int64_t id)
 {
-  return bornGenome(settings, LATTICE, 0, 1, id, &parent);
+  return bornGenome(settings, layoutOf(settings), 0, 1, id, &parent);
 }
 
 /// Voxels in which any value of the program differs.
@@ -55,9 +56,9 @@ int changedVoxels(const DevelopmentalProgram& a, const DevelopmentalProgram& b)
   int changed = 0;
   for (int voxel = 0; voxel < LATTICE.voxelCount(); ++voxel)
   {
-    changed += a.size_gene_initial[voxel] != b.size_gene_initial[voxel] ||
-               a.size_gene_final[voxel] != b.size_gene_final[voxel] ||
-               a.phase_initial[voxel] != b.phase_initial[voxel] || a.phase_final[voxel] != b.phase_final[voxel];
+    changed += a.morphology_initial[voxel] != b.morphology_initial[voxel] ||
+               a.morphology_final[voxel] != b.morphology_final[voxel] ||
+               a.control_initial[voxel] != b.control_initial[voxel] || a.control_final[voxel] != b.control_final[voxel];
   }
   return changed;
 }
@@ -82,8 +83,8 @@ TEST(RandomGenome, usesAThirdOfTheDevelopmentalWindows)
     for (int64_t id = 0; id < 5000; ++id)
     {
       const DevelopmentalProgram program = founder(settings, id).program;
-      morphology.add(morphologyWindow(program));
-      control.add(controlWindow(program, settings.phaseLimit()));
+      morphology.add(morphologyWindow(program, layoutOf(settings)));
+      control.add(controlWindow(program, layoutOf(settings)));
     }
     EXPECT_MEAN(1.0 / 3, morphology, 0.0);
     EXPECT_MEAN(1.0 / 3, control, 0.0);
@@ -95,13 +96,13 @@ TEST(RandomGenome, isUniformWithinTheLimits)
   for (const EvolutionSettings& settings :
        { settingsOf(Treatment::EVO_DEVO, Profile::PAPER), settingsOf(Treatment::EVO_DEVO, Profile::RELEASED_CODE) })
   {
-    for (const TraitSpec& trait : evolvingTraits(settings))
+    for (const TraitSpec& trait : evolvingTraits(layoutOf(settings)))
     {
       // First and second moment of voxel 47, which no mirror image overwrites, in units of the limit.
       Sample value, square;
       for (int64_t id = 0; id < 20000; ++id)
       {
-        const double x = (founder(settings, id).program.*trait.values)[47] / trait.limit;
+        const double x = (founder(settings, id).program.*trait.values)[47] / trait.maximum;
         value.add(x);
         square.add(x * x);
       }
@@ -146,7 +147,7 @@ TEST(MutationRates, driftUpwardsWithoutSelection)
     Genome genome = founder(settings, lineage);
     for (int step = 1; step <= 100; ++step)
     {
-      genome = bornGenome(settings, LATTICE, 0, step, lineage, &genome);
+      genome = bornGenome(settings, layoutOf(settings), 0, step, lineage, &genome);
       means[step].add(meanOf(genome.mutation_rate));
     }
   }
@@ -180,8 +181,8 @@ TEST(MutatedTraits, areAsManyAsTheProfileSays)
     {
       RandomStream random(1, settings.arm(), 0, 1, id, RandomPurpose::MUTATION);
       MutationRecord record;
-      mutate(parent, settings, LATTICE, random, &record);
-      const std::vector<TraitSpec> traits = evolvingTraits(settings);
+      mutate(parent, settings, layoutOf(settings), random, &record);
+      const std::vector<TraitSpec> traits = evolvingTraits(layoutOf(settings));
       for (size_t i = 0; i < traits.size(); ++i)
       {
         frequency[i].add(record.traits.size() == i + 1);
@@ -260,7 +261,7 @@ TEST(Clipping, putsThirtyNinePercentOfMutationsOfUniformValuesOnABound)
   for (const Profile profile : { Profile::PAPER, Profile::RELEASED_CODE })
   {
     const EvolutionSettings settings = settingsOf(Treatment::EVO_DEVO, profile, 1.0);
-    for (const TraitSpec& trait : evolvingTraits(settings))
+    for (const TraitSpec& trait : evolvingTraits(layoutOf(settings)))
     {
       Sample on_bound;
       for (int64_t id = 0; id < 4000; ++id)
@@ -270,7 +271,7 @@ TEST(Clipping, putsThirtyNinePercentOfMutationsOfUniformValuesOnABound)
         const std::vector<double>& values = child.program.*trait.values;
         if (values != parent.program.*trait.values)
         {
-          on_bound.add(std::abs(values[47]) == trait.limit);
+          on_bound.add(std::abs(values[47]) == trait.maximum);
         }
       }
       EXPECT_MEAN(expected, on_bound, 0.0) << trait.name;
@@ -288,14 +289,14 @@ TEST(NeutralDrift, leadsToTheStationaryDistributionOfClippedRandomWalks)
     Genome genome = founder(settings, lineage);
     for (int64_t generation = 1; generation <= 60; ++generation)
     {
-      genome = bornGenome(settings, LATTICE, 0, generation, lineage, &genome);
+      genome = bornGenome(settings, layoutOf(settings), 0, generation, lineage, &genome);
     }
-    for (const double phase : genome.program.phase_initial)
+    for (const double phase : genome.program.control_initial)
     {
       on_bound.add(std::abs(phase) == 0.25);
     }
-    morphology.add(morphologyWindow(genome.program));
-    control.add(controlWindow(genome.program, 0.25));
+    morphology.add(morphologyWindow(genome.program, layoutOf(settings)));
+    control.add(controlWindow(genome.program, layoutOf(settings)));
   }
   EXPECT_MEAN(0.45, on_bound, 0.005);
   EXPECT_MEAN(0.44, morphology, 0.005);

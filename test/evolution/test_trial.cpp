@@ -13,8 +13,6 @@ using namespace devo_evo;
 
 namespace
 {
-const Lattice LATTICE(4, 4, 3);
-
 /// A made-up fitness of a few additions and multiplications, the same everywhere; one in sixteen robots is invalid.
 Evaluation madeUpEvaluation(const Genome& genome)
 {
@@ -27,11 +25,11 @@ Evaluation madeUpEvaluation(const Genome& genome)
     return evaluation;
   }
   double fitness = 0.0;
-  for (size_t voxel = 0; voxel < genome.program.phase_initial.size(); ++voxel)
+  for (size_t voxel = 0; voxel < genome.program.control_initial.size(); ++voxel)
   {
     const double weight = static_cast<double>(voxel % 5) - 1.5;
-    fitness += weight * (genome.program.size_gene_initial[voxel] + 0.5 * genome.program.size_gene_final[voxel]);
-    fitness += genome.program.phase_initial[voxel] * genome.program.phase_final[voxel];
+    fitness += weight * (genome.program.morphology_initial[voxel] + 0.5 * genome.program.morphology_final[voxel]);
+    fitness += genome.program.control_initial[voxel] * genome.program.control_final[voxel];
   }
   evaluation.fitness = fitness;
   evaluation.state_hash = hash[1];
@@ -81,7 +79,7 @@ std::string digestOf(const std::vector<GenerationRecord>& records)
 
 std::string digestOfTrial(const EvolutionSettings& settings, int64_t number = 0)
 {
-  Trial trial(settings, LATTICE, number);
+  Trial trial(settings, paperBody(), number);
   evaluateAll(trial);
   std::vector<GenerationRecord> records = { trial.select() };
   for (GenerationRecord& record : evolve(trial, 10))
@@ -109,7 +107,7 @@ EvolutionSettings smallSettings()
 
 TEST(Trial, beginsWithRandomFoundersAwaitingEvaluation)
 {
-  const Trial trial(smallSettings(), LATTICE, 7);
+  const Trial trial(smallSettings(), paperBody(), 7);
   EXPECT_EQ(7, trial.number());
   EXPECT_EQ(0, trial.generation());
   EXPECT_EQ(4, trial.nextId());
@@ -120,13 +118,13 @@ TEST(Trial, beginsWithRandomFoundersAwaitingEvaluation)
     EXPECT_EQ(Individual::NO_PARENT, founder.parent);
     EXPECT_EQ(0, founder.generation);
     EXPECT_EQ(0, founder.age);
-    EXPECT_EQ(bornGenome(smallSettings(), LATTICE, 7, 0, founder.id, nullptr), founder.genome);
+    EXPECT_EQ(bornGenome(smallSettings(), layoutOf(smallSettings()), 7, 0, founder.id, nullptr), founder.genome);
   }
 }
 
 TEST(Trial, keepsEveryFounderInRankingOrder)
 {
-  Trial trial(smallSettings(), LATTICE, 0);
+  Trial trial(smallSettings(), paperBody(), 0);
   const double fitnesses[4] = { 2.0, 8.0, -1.0, 5.0 };
   for (int64_t id = 0; id < 4; ++id)
   {
@@ -143,13 +141,13 @@ TEST(Trial, keepsEveryFounderInRankingOrder)
   {
     EXPECT_EQ(id, record.newcomers[id].id);
     EXPECT_EQ(fitnesses[id], record.newcomers[id].evaluation->fitness);
-    EXPECT_EQ(48u, record.newcomers[id].genome.program.phase_final.size());
+    EXPECT_EQ(48u, record.newcomers[id].genome.program.control_final.size());
   }
 }
 
 TEST(Trial, describesTheValidSurvivorsOnly)
 {
-  Trial trial(smallSettings(), LATTICE, 0);
+  Trial trial(smallSettings(), paperBody(), 0);
   trial.setEvaluation(0, Evaluation());
   trial.setEvaluation(1, withFitness(-3.0));
   trial.setEvaluation(2, withFitness(-1.0));
@@ -163,7 +161,7 @@ TEST(Trial, describesTheValidSurvivorsOnly)
 
 TEST(Trial, goesOnIfNobodyIsValid)
 {
-  Trial trial(smallSettings(), LATTICE, 0);
+  Trial trial(smallSettings(), paperBody(), 0);
   for (int64_t id = 0; id < 4; ++id)
   {
     trial.setEvaluation(id, Evaluation());
@@ -180,7 +178,7 @@ TEST(Trial, breedsOneChildOfEachSurvivorAndInjectsRandomIndividuals)
 {
   EvolutionSettings settings = smallSettings();
   settings.random_injections = 2;
-  Trial trial(settings, LATTICE, 0);
+  Trial trial(settings, paperBody(), 0);
   evaluateAll(trial);
   trial.select();
   trial.breed();
@@ -197,7 +195,7 @@ TEST(Trial, breedsOneChildOfEachSurvivorAndInjectsRandomIndividuals)
     EXPECT_EQ(1, child.generation);
     EXPECT_EQ(1, child.age);
     EXPECT_EQ(1, parent.age);
-    EXPECT_EQ(bornGenome(settings, LATTICE, 0, 1, id, &parent.genome), child.genome);
+    EXPECT_EQ(bornGenome(settings, layoutOf(settings), 0, 1, id, &parent.genome), child.genome);
   }
   EXPECT_EQ((std::set<int64_t>{ 0, 1, 2, 3 }), parents);
   for (int64_t id = 8; id < 10; ++id)
@@ -205,7 +203,7 @@ TEST(Trial, breedsOneChildOfEachSurvivorAndInjectsRandomIndividuals)
     const Individual& random = trial.individual(id);
     EXPECT_EQ(Individual::NO_PARENT, random.parent);
     EXPECT_EQ(0, random.age);
-    EXPECT_EQ(bornGenome(settings, LATTICE, 0, 1, id, nullptr), random.genome);
+    EXPECT_EQ(bornGenome(settings, layoutOf(settings), 0, 1, id, nullptr), random.genome);
   }
 }
 
@@ -216,7 +214,7 @@ TEST(Trial, shufflesTheOrderOfParents)
   std::vector<int> frequency(4, 0);
   for (int64_t number = 0; number < trials; ++number)
   {
-    Trial trial(smallSettings(), Lattice(1, 1, 1), number);
+    Trial trial(smallSettings(), *bodyOf(1, 1, 1), number);
     for (int64_t id = 0; id < 4; ++id)
     {
       trial.setEvaluation(id, withFitness(static_cast<double>(id)));
@@ -233,7 +231,7 @@ TEST(Trial, shufflesTheOrderOfParents)
 
 TEST(Trial, agesSurvivorsAndTheirChildrenTogether)
 {
-  Trial trial(smallSettings(), LATTICE, 0);
+  Trial trial(smallSettings(), paperBody(), 0);
   evaluateAll(trial);
   trial.select();
   for (int64_t generation = 1; generation <= 20; ++generation)
@@ -254,7 +252,7 @@ TEST(Trial, agesSurvivorsAndTheirChildrenTogether)
 
 TEST(Trial, neverLosesTheFittest)
 {
-  Trial trial(settingsOf(Treatment::EVO_DEVO, Profile::PAPER), LATTICE, 0);
+  Trial trial(settingsOf(Treatment::EVO_DEVO, Profile::PAPER), paperBody(), 0);
   evaluateAll(trial);
   double best = trial.select().best_fitness;
   for (const GenerationRecord& record : evolve(trial, 50))
@@ -267,8 +265,8 @@ TEST(Trial, neverLosesTheFittest)
 
 TEST(Trial, doesNotDependOnTheOrderOfEvaluations)
 {
-  Trial forwards(smallSettings(), LATTICE, 0);
-  Trial backwards(smallSettings(), LATTICE, 0);
+  Trial forwards(smallSettings(), paperBody(), 0);
+  Trial backwards(smallSettings(), paperBody(), 0);
   for (int generation = 0; generation < 10; ++generation)
   {
     evaluateAll(forwards);
@@ -287,12 +285,12 @@ TEST(Trial, doesNotDependOnTheOrderOfEvaluations)
 TEST(Trial, goesOnAfterARestartAsIfItHadNeverStopped)
 {
   const EvolutionSettings settings = settingsOf(Treatment::EVO_DEVO, Profile::RELEASED_CODE);
-  Trial unbroken(settings, LATTICE, 3);
+  Trial unbroken(settings, paperBody(), 3);
   evaluateAll(unbroken);
   unbroken.select();
   evolve(unbroken, 5);
 
-  Trial restarted(settings, LATTICE, 3, unbroken.generation(), unbroken.individuals(), unbroken.nextId());
+  Trial restarted(settings, paperBody(), 3, unbroken.generation(), unbroken.individuals(), unbroken.nextId());
   EXPECT_EQ(digestOf(evolve(unbroken, 5)), digestOf(evolve(restarted, 5)));
 }
 
@@ -325,14 +323,14 @@ TEST(Trial, ofAnotherArmHasIndependentFounders)
   std::set<double> first_genes;
   for (const EvolutionSettings& settings : arms)
   {
-    first_genes.insert(Trial(settings, LATTICE, 0).individual(0).genome.program.size_gene_initial[0]);
+    first_genes.insert(Trial(settings, paperBody(), 0).individual(0).genome.program.morphology_initial[0]);
   }
   EXPECT_EQ(arms.size(), first_genes.size());
 }
 
 TEST(Trial, refusesWhatItsStateDoesNotAllow)
 {
-  Trial trial(smallSettings(), LATTICE, 0);
+  Trial trial(smallSettings(), paperBody(), 0);
   EXPECT_THROW(trial.select(), std::logic_error);  // nobody has been evaluated
   EXPECT_THROW(trial.breed(), std::logic_error);   // nobody has been selected
   EXPECT_THROW(trial.individual(4), std::out_of_range);
@@ -351,10 +349,10 @@ TEST(Trial, refusesWhatItsStateDoesNotAllow)
 
 TEST(Trial, refusesToGoOnFromAnIncompleteState)
 {
-  Trial trial(smallSettings(), LATTICE, 0);
-  EXPECT_THROW(Trial(smallSettings(), LATTICE, 0, 5, {}, 10), std::invalid_argument);
-  EXPECT_THROW(Trial(smallSettings(), LATTICE, 0, 0, trial.individuals(), 4), std::invalid_argument);
+  Trial trial(smallSettings(), paperBody(), 0);
+  EXPECT_THROW(Trial(smallSettings(), paperBody(), 0, 5, {}, 10), std::invalid_argument);
+  EXPECT_THROW(Trial(smallSettings(), paperBody(), 0, 0, trial.individuals(), 4), std::invalid_argument);
   evaluateAll(trial);
-  EXPECT_THROW(Trial(smallSettings(), LATTICE, 0, 0, trial.individuals(), 3), std::invalid_argument);
-  EXPECT_NO_THROW(Trial(smallSettings(), LATTICE, 0, 0, trial.individuals(), 4));
+  EXPECT_THROW(Trial(smallSettings(), paperBody(), 0, 0, trial.individuals(), 3), std::invalid_argument);
+  EXPECT_NO_THROW(Trial(smallSettings(), paperBody(), 0, 0, trial.individuals(), 4));
 }

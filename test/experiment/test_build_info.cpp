@@ -1,4 +1,5 @@
 #include "devo_evo/experiment/build_info.h"
+#include "devo_evo/bodies/bodies.h"
 
 #include "devo_evo/soft_body/simulation.h"
 
@@ -40,7 +41,7 @@ TEST(BuildInfo, VersionTextNamesVersionAndCommit)
 
 TEST(BuildInfo, ProvenanceSaysWhereAndWithWhat)
 {
-  const Provenance provenance = localProvenance("scalar");
+  const Provenance provenance = localProvenance("scalar", *makeSoftBody(SoftBodySettings()));
   EXPECT_EQ(provenance.version, versionText());
   EXPECT_NE(provenance.compiler.find("-O"), std::string::npos) << provenance.compiler;
   EXPECT_FALSE(provenance.processor.empty());

@@ -30,7 +30,7 @@ Evaluation pretendToSimulate(const DevelopmentalProgram& program)
     evaluation.divergence = Divergence{ 1 + hash[1], 3, 101.5 };
     return evaluation;
   }
-  evaluation.fitness = program.size_gene_initial.front() + program.phase_initial.back();
+  evaluation.fitness = program.morphology_initial.front() + program.control_initial.back();
   evaluation.displacement_y_voxels = evaluation.fitness * 2.0;
   evaluation.displacement_xy_voxels = std::abs(evaluation.displacement_y_voxels);
   evaluation.turns = 0.0;
@@ -105,7 +105,7 @@ public:
     newcomers += static_cast<int64_t>(report.record.newcomers.size());
     EXPECT_EQ(report.champion.id, report.record.champion);
     EXPECT_TRUE(report.champion.evaluation.has_value());
-    EXPECT_FALSE(report.champion.genome.program.size_gene_initial.empty());
+    EXPECT_FALSE(report.champion.genome.program.morphology_initial.empty());
     total_evaluations = report.total_evaluations;
     remaining_s = report.remaining_s;
     if (on_commit)
@@ -140,9 +140,9 @@ protected:
   {
     std::string pattern = ::testing::TempDir() + "devo_evo_XXXXXX";
     folder_ = mkdtemp(pattern.data());
-    settings_.body.grid_x = settings_.body.grid_y = 2;
-    settings_.body.grid_z = 1;
-    settings_.body.lifetime = 0.01;
+    settings_.body.soft.grid_x = settings_.body.soft.grid_y = 2;
+    settings_.body.soft.grid_z = 1;
+    settings_.body.soft.lifetime = 0.01;
     settings_.evolution.population = 6;
     settings_.trials = 3;
     settings_.generations = 5;
@@ -416,7 +416,7 @@ TEST_F(ExperimentTest, EvolvesTheSameOnAnyNumberOfThreads)
   for (const int threads : { 1, 2, 5 })
   {
     setOutput("threads-" + std::to_string(threads));
-    const auto farm = makeLocalFarm(settings_.body, threads);
+    const auto farm = makeLocalFarm(makeBody(settings_.body), threads);
     EXPECT_EQ(run(*farm), RunOutcome::FINISHED);
     digests.insert(digest());
   }

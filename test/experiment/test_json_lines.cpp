@@ -1,4 +1,5 @@
 #include "devo_evo/experiment/json_lines.h"
+#include "devo_evo/bodies/bodies.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -28,7 +29,7 @@ const std::string ROBOT = R"({"id": 7, "size_gene_initial": [0.5, -1], "phase_in
 std::vector<RobotRecord> readAll(const std::string& text, const SoftBodySettings& settings = smallBody())
 {
   std::istringstream input(text);
-  RobotReader reader(input, "robots.jsonl", settings);
+  RobotReader reader(input, "robots.jsonl", *makeSoftBody(settings));
   std::vector<RobotRecord> robots;
   while (auto robot = reader.next())
   {
@@ -66,8 +67,8 @@ TEST(ReadingRobots, TakesIdsAndArrays)
   ASSERT_EQ(robots.size(), 2u);
   EXPECT_EQ(robots[0].id, RobotId(int64_t{ 7 }));
   EXPECT_EQ(robots[0].line, 1);
-  EXPECT_EQ(robots[0].genome.program.size_gene_initial, (std::vector<double>{ 0.5, -1.0 }));
-  EXPECT_EQ(robots[0].genome.program.phase_initial, (std::vector<double>{ 0.25, 0.0 }));
+  EXPECT_EQ(robots[0].genome.program.morphology_initial, (std::vector<double>{ 0.5, -1.0 }));
+  EXPECT_EQ(robots[0].genome.program.control_initial, (std::vector<double>{ 0.25, 0.0 }));
   EXPECT_TRUE(robots[0].genome.mutation_rate.empty());
   EXPECT_EQ(robots[1].id, RobotId("a b"));
   EXPECT_EQ(robots[1].line, 2);
@@ -76,8 +77,8 @@ TEST(ReadingRobots, TakesIdsAndArrays)
 TEST(ReadingRobots, WithoutFinalValuesTheyDoNotDevelop)
 {
   const auto robot = readAll(ROBOT).front().genome.program;
-  EXPECT_EQ(robot.size_gene_final, robot.size_gene_initial);
-  EXPECT_EQ(robot.phase_final, robot.phase_initial);
+  EXPECT_EQ(robot.morphology_final, robot.morphology_initial);
+  EXPECT_EQ(robot.control_final, robot.control_initial);
 }
 
 TEST(ReadingRobots, TakesFinalValuesAndMutationRates)
@@ -85,15 +86,15 @@ TEST(ReadingRobots, TakesFinalValuesAndMutationRates)
   const auto robots =
       readAll(robotWith("size_gene_final", "[0, 0.125]") + "\n" + robotWith("phase_final_cycles", "[1, -1]") + "\n" +
               robotWith("mutation_rate", "[0.5, 1]"));
-  EXPECT_EQ(robots[0].genome.program.size_gene_final, (std::vector<double>{ 0.0, 0.125 }));
-  EXPECT_EQ(robots[1].genome.program.phase_final, (std::vector<double>{ 1.0, -1.0 }));
+  EXPECT_EQ(robots[0].genome.program.morphology_final, (std::vector<double>{ 0.0, 0.125 }));
+  EXPECT_EQ(robots[1].genome.program.control_final, (std::vector<double>{ 1.0, -1.0 }));
   EXPECT_EQ(robots[2].genome.mutation_rate, (std::vector<double>{ 0.5, 1.0 }));
 }
 
 TEST(ReadingRobots, TakesTheReferenceGenomes)
 {
   std::ifstream input(TEST_DATA_DIR "/genomes.jsonl");
-  RobotReader reader(input, "genomes.jsonl", SoftBodySettings());
+  RobotReader reader(input, "genomes.jsonl", *makeSoftBody(SoftBodySettings()));
   int count = 0;
   for (; reader.next(); ++count)
   {
@@ -208,9 +209,9 @@ Evaluation validEvaluation()
 
 TEST(WritingEvaluations, HasEveryFieldInOrder)
 {
-  EXPECT_EQ(evaluationToJson(RobotId("golden-000"), validEvaluation(), SoftBodySettings()),
-            R"({"id":"golden-000","valid":true,"displacement_y_voxels":0.4,)"
-            R"("displacement_xy_voxels":0.3333333333333333,"fitness":0.1,)"
+  EXPECT_EQ(evaluationToJson(RobotId("golden-000"), validEvaluation(), *makeSoftBody(SoftBodySettings())),
+            R"({"id":"golden-000","valid":true,"fitness":0.1,"displacement_y_voxels":0.4,)"
+            R"("displacement_xy_voxels":0.3333333333333333,)"
             R"("first_top_contact_since_birth_s":2.5,"fell_over_since_birth_s":null,"turns":-1.25,)"
             R"("airborne_fraction":0.0,"velocity_body_lengths_per_s":[0.5,1e-09],"state_hash":"0000000000000abc"})");
 }
@@ -221,7 +222,8 @@ TEST(WritingEvaluations, NumbersReadBackAsTheSame)
   {
     Evaluation evaluation = validEvaluation();
     evaluation.turns = number;
-    const Json json = Json::parse(evaluationToJson(RobotId(int64_t{ 1 }), evaluation, SoftBodySettings()));
+    const Json json =
+        Json::parse(evaluationToJson(RobotId(int64_t{ 1 }), evaluation, *makeSoftBody(SoftBodySettings())));
     EXPECT_EQ(json["turns"].get<double>(), number);
     EXPECT_EQ(json["id"], 1);
   }
@@ -232,7 +234,7 @@ TEST(WritingEvaluations, AnInvalidOneHasNullsAndAVerdict)
   Evaluation evaluation;
   evaluation.divergence = Divergence{ 1000, 17, std::numeric_limits<double>::infinity() };
   const SoftBodySettings settings;
-  const Json json = Json::parse(evaluationToJson(RobotId(int64_t{ 1 }), evaluation, settings));
+  const Json json = Json::parse(evaluationToJson(RobotId(int64_t{ 1 }), evaluation, *makeSoftBody(settings)));
   EXPECT_EQ(json["valid"], false);
   for (const std::string field : { "displacement_y_voxels", "displacement_xy_voxels", "fitness", "turns",
                                    "airborne_fraction", "first_top_contact_since_birth_s", "state_hash" })

@@ -1,6 +1,7 @@
 // Numbers are read and written the same under every locale: here under one that writes 0.5 as 0,5 and 1000 as 1.000.
 
 #include "devo_evo/experiment/json_lines.h"
+#include "devo_evo/bodies/bodies.h"
 #include "devo_evo/experiment/parameters.h"
 #include "devo_evo/experiment/report_text.h"
 
@@ -86,15 +87,15 @@ TEST_F(GermanLocale, DoesNotChangeJsonLines)
   SoftBodySettings settings;
   settings.grid_x = settings.grid_y = settings.grid_z = 1;
   std::istringstream input(R"({"id": 12345, "size_gene_initial": [0.5], "phase_initial_cycles": [-0.125]})");
-  const auto robot = RobotReader(input, "input", settings).next();
+  const auto robot = RobotReader(input, "input", *makeSoftBody(settings)).next();
   ASSERT_TRUE(robot.has_value());
-  EXPECT_EQ(robot->genome.program.size_gene_initial.front(), 0.5);
-  EXPECT_EQ(robot->genome.program.phase_initial.front(), -0.125);
+  EXPECT_EQ(robot->genome.program.morphology_initial.front(), 0.5);
+  EXPECT_EQ(robot->genome.program.control_initial.front(), -0.125);
 
   Evaluation evaluation;
   evaluation.valid = true;
   evaluation.fitness = 1234.5;
-  const std::string json = evaluationToJson(robot->id, evaluation, settings);
+  const std::string json = evaluationToJson(robot->id, evaluation, *makeSoftBody(settings));
   EXPECT_NE(json.find("\"id\":12345,"), std::string::npos) << json;
   EXPECT_NE(json.find("\"fitness\":1234.5,"), std::string::npos) << json;
 }

@@ -240,9 +240,9 @@ TEST_F(YamlFile, SetsWhatItHoldsAndNothingElse)
   write("treatment: evo\ngrid: [2, 2, 2]\nlifetime: 1.5   # seconds\nself_collision: false\nseed: \"7\"\n");
   loadParameters(parameters_, path_);
   EXPECT_EQ(parameters_.experiment.evolution.treatment, Treatment::EVO);
-  EXPECT_EQ(parameters_.experiment.body.voxelCount(), 8);
-  EXPECT_EQ(parameters_.experiment.body.lifetime, 1.5);
-  EXPECT_FALSE(parameters_.experiment.body.self_collision);
+  EXPECT_EQ(parameters_.experiment.body.soft.voxelCount(), 8);
+  EXPECT_EQ(parameters_.experiment.body.soft.lifetime, 1.5);
+  EXPECT_FALSE(parameters_.experiment.body.soft.self_collision);
   EXPECT_EQ(parameters_.experiment.evolution.seed, 7);
   EXPECT_EQ(parameters_.experiment.evolution.population, 30);
 }

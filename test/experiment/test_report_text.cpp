@@ -79,8 +79,8 @@ protected:
   {
     std::string pattern = ::testing::TempDir() + "devo_evo_XXXXXX";
     settings_.output = mkdtemp(pattern.data());
-    settings_.body.grid_x = 2;
-    settings_.body.grid_y = settings_.body.grid_z = 1;
+    settings_.body.soft.grid_x = 2;
+    settings_.body.soft.grid_y = settings_.body.soft.grid_z = 1;
     archive_ = openArchiveForWriting(settings_, Provenance());
   }
 

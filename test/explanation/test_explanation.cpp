@@ -1,4 +1,5 @@
 #include "devo_evo/explanation/explanation.h"
+#include "devo_evo/bodies/bodies.h"
 
 #include "archive/test_tools.h"
 #include "devo_evo/experiment/json_lines.h"
@@ -104,7 +105,8 @@ TEST(Explanation, everyFieldOfAnEvaluationInJsonHasOne)
 {
   Evaluation evaluation;
   evaluation.divergence = Divergence{ 1, 2, 3.0 };
-  const auto json = nlohmann::json::parse(evaluationToJson(int64_t{ 1 }, evaluation, SoftBodySettings()));
+  const auto json =
+      nlohmann::json::parse(evaluationToJson(int64_t{ 1 }, evaluation, *makeSoftBody(SoftBodySettings())));
   for (const auto& [name, value] : json.items())
   {
     expectExplained(name);

@@ -1,5 +1,7 @@
 #include "devo_evo/farm/local_farm.h"
 
+#include "devo_evo/bodies/bodies.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -71,7 +73,7 @@ TEST(LocalFarm, AnswersEveryRequestExactlyOnceHoweverManyThreads)
   const auto expected = evaluate(settings, programs);
   for (const int threads : { 1, 3 })
   {
-    const auto farm = makeLocalFarm(settings, threads);
+    const auto farm = makeLocalFarm(makeSoftBody(settings), threads);
     farm->submit(requests(count));
     std::map<int64_t, int> answers;
     for (const EvaluationResult& result : collectAll(*farm, count))
@@ -88,7 +90,7 @@ TEST(LocalFarm, AnswersEveryRequestExactlyOnceHoweverManyThreads)
 
 TEST(LocalFarm, CountsWhatEachThreadDid)
 {
-  const auto farm = makeLocalFarm(shortLife(), 2);
+  const auto farm = makeLocalFarm(makeSoftBody(shortLife()), 2);
   farm->submit(requests(20));
   collectAll(*farm, 20);
   const auto workers = farm->status();
@@ -100,7 +102,7 @@ TEST(LocalFarm, CountsWhatEachThreadDid)
 
 TEST(LocalFarm, SharesLittleWorkAmongIdleThreads)
 {
-  const auto farm = makeLocalFarm(shortLife(), 2);
+  const auto farm = makeLocalFarm(makeSoftBody(shortLife()), 2);
   std::set<std::string> workers;
   for (int attempt = 0; attempt < 100 && workers.size() < 2; ++attempt)  // at first one may not be waiting yet
   {
@@ -116,7 +118,7 @@ TEST(LocalFarm, SharesLittleWorkAmongIdleThreads)
 
 TEST(LocalFarm, WaitsForWorkUntilTheTimeout)
 {
-  const auto farm = makeLocalFarm(shortLife(), 2);
+  const auto farm = makeLocalFarm(makeSoftBody(shortLife()), 2);
   const auto start = steady_clock::now();
   EXPECT_TRUE(farm->collect(milliseconds(30)).empty());
   EXPECT_GE(steady_clock::now() - start, milliseconds(30));
@@ -128,7 +130,7 @@ TEST(LocalFarm, AbandonsItsWorkWhenDestroyed)
   settings.lifetime = 1000.0;
   const auto start = steady_clock::now();
   {
-    const auto farm = makeLocalFarm(settings, 3);
+    const auto farm = makeLocalFarm(makeSoftBody(settings), 3);
     farm->submit(requests(100));
     while (farm->status()[0].state != WorkerState::WORKING && steady_clock::now() - start < std::chrono::seconds(10))
     {
@@ -140,9 +142,9 @@ TEST(LocalFarm, AbandonsItsWorkWhenDestroyed)
 
 TEST(LocalFarm, HandsAnErrorOfAThreadToTheCaller)
 {
-  const auto farm = makeLocalFarm(shortLife(), 2);
+  const auto farm = makeLocalFarm(makeSoftBody(shortLife()), 2);
   EvaluationRequest misfit = request(1);
-  misfit.program.phase_final.pop_back();
+  misfit.program.control_final.pop_back();
   farm->submit({ misfit });
   EXPECT_THROW(collectAll(*farm, 1), InvalidInput);
   EXPECT_THROW(farm->collect(milliseconds(1)), InvalidInput);
@@ -152,10 +154,10 @@ TEST(LocalFarm, HandsAnErrorOfAThreadToTheCaller)
 
 TEST(LocalFarm, RefusesToHaveNoThreadsOrImpossibleSettings)
 {
-  EXPECT_THROW(makeLocalFarm(shortLife(), 0), InvalidInput);
+  EXPECT_THROW(makeLocalFarm(makeSoftBody(shortLife()), 0), InvalidInput);
   SoftBodySettings settings = shortLife();
   settings.lifetime = -1.0;
-  EXPECT_THROW(makeLocalFarm(settings, 1), InvalidInput);
+  EXPECT_THROW(makeLocalFarm(makeSoftBody(settings), 1), InvalidInput);
 }
 }  // namespace
 }  // namespace devo_evo

@@ -1,6 +1,7 @@
 // Robots as JSON lines. The first byte chooses the grid.
 
 #include "devo_evo/experiment/json_lines.h"
+#include "devo_evo/bodies/bodies.h"
 
 #include "devo_evo/soft_body/simulation.h"
 #include "fuzz/input.h"
@@ -31,8 +32,9 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
     return 0;
   }
   const SoftBodySettings settings = settingsFor(data[0]);
+  const std::shared_ptr<const Body> body = makeSoftBody(settings);
   std::istringstream input(std::string(reinterpret_cast<const char*>(data + 1), size - 1));
-  RobotReader reader(input, "input", settings);
+  RobotReader reader(input, "input", *body);
   try
   {
     while (const auto robot = reader.next())

@@ -42,6 +42,16 @@ std::vector<std::string> linesOf(Writer writer, const std::vector<Descendant>& d
   return lines;
 }
 
+using TableWriter = void (*)(const std::vector<Descendant>&, const Body&, const LineSink&);
+
+std::vector<std::string> tableOf(TableWriter writer, const std::vector<Descendant>& descendants)
+{
+  const std::shared_ptr<const Body> body = makeSoftBody(SoftBodySettings());
+  const auto write = [&](const std::vector<Descendant>& individuals, const LineSink& sink)
+  { writer(individuals, *body, sink); };
+  return linesOf(write, descendants);
+}
+
 std::vector<std::string> fieldsOf(const std::string& line)
 {
   std::vector<std::string> fields;
@@ -71,7 +81,7 @@ TEST(Phylogeny, newickOfAVeryLongLineageTakesNoDeepStack)
 
 TEST(Phylogeny, alifeStandardHasItsColumns)
 {
-  const auto lines = linesOf(writeAlifeStandard, FAMILY);
+  const auto lines = tableOf(writeAlifeStandard, FAMILY);
   EXPECT_EQ(lines.at(0).rfind("id,ancestor_list,origin_time,destruction_time,trait_trial,trait_age,", 0), 0u);
   EXPECT_EQ(lines.at(1).rfind("0,[none],0,3,1,0,1,0.5,", 0), 0u);
   EXPECT_EQ(lines.at(3).rfind("3,[0],2,inf,1,2,1,0.5,", 0), 0u);
@@ -85,7 +95,7 @@ TEST(Phylogeny, csvHasAValueForEveryColumnOfTheArchive)
   const auto archive = openArchiveForReading(folder.path());
   const auto phylogeny = readPhylogeny(*archive, 1);
   EXPECT_EQ(static_cast<int64_t>(phylogeny.size()), countRows(folder.path(), "individuals"));
-  const auto lines = linesOf(writeCsv, phylogeny);
+  const auto lines = tableOf(writeCsv, phylogeny);
   const auto header = fieldsOf(lines.at(0));
   SQLite::Database file = openFile(folder.path());
   SQLite::Statement columns(file, "SELECT name FROM pragma_table_info('individuals')");

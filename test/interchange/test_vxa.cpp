@@ -24,10 +24,10 @@ VxaRobot someRobot()
   for (int voxel = 0; voxel < 48; ++voxel)
   {
     const double part = (voxel + 1.0) / 49.0;
-    program.size_gene_initial.push_back(part - 0.5);
-    program.size_gene_final.push_back(0.4 - part / 3.0);
-    program.phase_initial.push_back(part / 7.0);
-    program.phase_final.push_back(-part / 11.0);
+    program.morphology_initial.push_back(part - 0.5);
+    program.morphology_final.push_back(0.4 - part / 3.0);
+    program.control_initial.push_back(part / 7.0);
+    program.control_final.push_back(-part / 11.0);
     robot.genome.mutation_rate.push_back(part);
   }
   return robot;
@@ -136,8 +136,8 @@ TEST(Vxa, holdsWhatTheReleasedExperimentsSet)
 TEST(Vxa, aRobotThatDoesNotDevelopHasNoFinalValues)
 {
   VxaRobot robot = someRobot();
-  robot.genome.program.size_gene_final = robot.genome.program.size_gene_initial;
-  robot.genome.program.phase_final = robot.genome.program.phase_initial;
+  robot.genome.program.morphology_final = robot.genome.program.morphology_initial;
+  robot.genome.program.control_final = robot.genome.program.control_initial;
   const std::string text = toVxa(robot);
   EXPECT_EQ(text.find("<Final"), std::string::npos);
   EXPECT_EQ(readVxa(text, "robot.vxa").genome, robot.genome);

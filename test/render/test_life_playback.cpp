@@ -81,8 +81,8 @@ TEST(LifePlayback, LengthAndPhaseDevelopLinearly)
 {
   const SoftBodySettings settings = shortLife();
   DevelopmentalProgram program = uniformRobot(settings, 0.0, 0.1);
-  program.size_gene_final.assign(48, 0.4);  // from 1 cm to 1.3 cm
-  program.phase_final.assign(48, 0.2);
+  program.morphology_final.assign(48, 0.4);  // from 1 cm to 1.3 cm
+  program.control_final.assign(48, 0.2);
   LifePlayback playback(settings, program);
   playback.advanceTo(0.25);
   const ShownVoxel& voxel = playback.frame().voxels[17];

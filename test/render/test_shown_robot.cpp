@@ -26,12 +26,12 @@ ExperimentSettings evolveIn(const std::string& output)
 {
   ExperimentSettings settings;
   settings.output = output;
-  settings.body.lifetime = 0.2;
+  settings.body.soft.lifetime = 0.2;
   settings.evolution.population = 4;
   settings.generations = 2;
   settings.trials = 2;
   const auto archive = openArchiveForWriting(settings, test::someProvenance());
-  const auto farm = makeLocalFarm(settings.body, 1);
+  const auto farm = makeLocalFarm(makeBody(settings.body), 1);
   Quiet observer;
   Experiment(settings, *archive, *farm, observer).run();
   return settings;
@@ -137,7 +137,7 @@ TEST(RobotFile, GivesTheFirstOrTheOneThatIsNamed)
   EXPECT_EQ(readRobotFile(path, "", {}).name, "golden-000");
   const ShownRobot robot = readRobotFile(path, "golden-002", {});
   EXPECT_EQ(robot.name, "golden-002");
-  EXPECT_EQ(robot.program.size_gene_initial.size(), 48u);
+  EXPECT_EQ(robot.program.morphology_initial.size(), 48u);
   EXPECT_FALSE(robot.recorded || robot.descent);
 }
 

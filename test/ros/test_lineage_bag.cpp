@@ -47,7 +47,7 @@ protected:
   LineageBag()
   {
     settings_.output = folder_.path() + "/run";
-    settings_.body.lifetime = 0.3;
+    settings_.body.soft.lifetime = 0.3;
     settings_.evolution.population = 4;
     settings_.generations = 6;
     evolve();
@@ -56,7 +56,7 @@ protected:
   void evolve() const
   {
     const auto archive = openArchiveForWriting(settings_, test::someProvenance());
-    const auto farm = makeLocalFarm(settings_.body, 1);
+    const auto farm = makeLocalFarm(makeBody(settings_.body), 1);
     Quiet observer;
     Experiment(settings_, *archive, *farm, observer).run();
   }
@@ -119,11 +119,11 @@ TEST_F(LineageBag, HoldsTheLivesOfTheArchiveFounderFirst)
     const Individual& archived = lineage_.individuals[i].individual;
     const RecordedLife& life = lives[i];
     EXPECT_EQ(life.individual.id, archived.id);
-    EXPECT_EQ(life.individual.genome.size_gene_initial, archived.genome.program.size_gene_initial);
+    EXPECT_EQ(life.individual.genome.morphology_initial, archived.genome.program.morphology_initial);
     EXPECT_EQ(life.individual.morphology_window, lineage_.individuals[i].morphology_window);
     ASSERT_EQ(life.y.size(), 9u) << "25 a second for 0.3 s, at birth and at the end";
-    const double displacement = (life.y.back() - life.y.front()) / settings_.body.voxel_size;
-    EXPECT_EQ(displacement / settings_.body.grid_y, archived.evaluation->fitness) << "to the last bit";
+    const double displacement = (life.y.back() - life.y.front()) / settings_.body.soft.voxel_size;
+    EXPECT_EQ(displacement / settings_.body.soft.grid_y, archived.evaluation->fitness) << "to the last bit";
     EXPECT_EQ(life.velocity.id, archived.id);
     EXPECT_EQ(life.velocity.velocity.size(), 1u);
     EXPECT_EQ(life.corners.front(), 80u * 6) << "80 outer faces of 4 x 4 x 3 voxels, two triangles each";
@@ -145,7 +145,7 @@ TEST_F(LineageBag, PausesBetweenLives)
 TEST_F(LineageBag, TakesLessThanAMegabyteForTenSecondsOfLife)
 {
   settings_.output += "_of_long_lives";
-  settings_.body.lifetime = 10.0;
+  settings_.body.soft.lifetime = 10.0;
   settings_.evolution.population = 2;
   settings_.generations = 0;
   evolve();

@@ -15,10 +15,12 @@ EvaluateGenomes::Request someRequest()
 {
   EvaluateGenomes::Request request;
   request.engine_fingerprint = 0x123456789;
-  request.settings.grid_y = 2;
-  request.settings.lifetime = 2.5;
+  request.settings.names = { "body", "lifetime" };
+  request.settings.values = { "soft", "2.5" };
   request.genomes.resize(2);
-  request.genomes[1].phase_final = { 0.25, -0.5 };
+  request.genomes[1].arrays.resize(1);
+  request.genomes[1].arrays[0].name = "phase_final";
+  request.genomes[1].arrays[0].values = { 0.25, -0.5 };
   request.trial = { 1, 2 };
   request.id = { 3, 4 };
   return request;
@@ -60,10 +62,11 @@ TEST(MessageReader, ReadsWhatRoscppWrote)
 {
   const auto back = readMessage<EvaluateGenomes::Request>(received(someRequest()));
   EXPECT_EQ(back.engine_fingerprint, 0x123456789U);
-  EXPECT_EQ(back.settings.grid_y, 2);
-  EXPECT_EQ(back.settings.lifetime, 2.5);
+  EXPECT_EQ(back.settings.names, (std::vector<std::string>{ "body", "lifetime" }));
+  EXPECT_EQ(back.settings.values, (std::vector<std::string>{ "soft", "2.5" }));
   ASSERT_EQ(back.genomes.size(), 2U);
-  EXPECT_EQ(back.genomes[1].phase_final, (std::vector<double>{ 0.25, -0.5 }));
+  EXPECT_EQ(back.genomes[1].arrays.at(0).name, "phase_final");
+  EXPECT_EQ(back.genomes[1].arrays.at(0).values, (std::vector<double>{ 0.25, -0.5 }));
   EXPECT_EQ(back.trial, (std::vector<int64_t>{ 1, 2 }));
   EXPECT_EQ(back.id, (std::vector<int64_t>{ 3, 4 }));
 }
@@ -87,7 +90,7 @@ TEST(MessageReader, RefusesArraysThatCannotBeInTheMessage)
   {
     const ros::SerializedMessage message = received(request);
     std::memcpy(message.buf.get() + placeOfGenomeCount(), &claimed, sizeof(claimed));
-    // A genome takes 20 bytes, the lengths of its five arrays; 8 bytes follow, the lengths of trial and id.
+    // A genome takes 12 bytes, the lengths of its name and two lists; 8 bytes follow, the lengths of trial and id.
     EXPECT_EQ(complaint(message),
               "the message has an array of " + std::to_string(claimed) + " elements, of which at most 0 can follow");
   }

@@ -59,11 +59,11 @@ TEST(RosParameters, TypedValuesAreTaken)
   group["grid"][2] = 4;
   const ExperimentSettings settings = parametersFrom(group, "").experiment;
   EXPECT_EQ(settings.trials, 3);
-  EXPECT_EQ(settings.body.lifetime, 2.5);
-  EXPECT_EQ(settings.body.gravity, 1.0);
+  EXPECT_EQ(settings.body.soft.lifetime, 2.5);
+  EXPECT_EQ(settings.body.soft.gravity, 1.0);
   EXPECT_EQ(settings.evolution.treatment, Treatment::EVO);
-  EXPECT_FALSE(settings.body.self_collision);
-  EXPECT_EQ(settings.body.grid_z, 4);
+  EXPECT_FALSE(settings.body.soft.self_collision);
+  EXPECT_EQ(settings.body.soft.grid_z, 4);
 }
 
 TEST(RosParameters, TextIsTakenForEveryType)
@@ -75,9 +75,9 @@ TEST(RosParameters, TextIsTakenForEveryType)
   group["grid"] = "2x3x4";
   const ExperimentSettings settings = parametersFrom(group, "").experiment;
   EXPECT_EQ(settings.evolution.seed, INT64_MAX);
-  EXPECT_EQ(settings.body.lifetime, 2.5);
+  EXPECT_EQ(settings.body.soft.lifetime, 2.5);
   EXPECT_EQ(settings.evolution.mutation_rate, 0.125);
-  EXPECT_EQ(settings.body.grid_y, 3);
+  EXPECT_EQ(settings.body.soft.grid_y, 3);
 }
 
 TEST(RosParameters, ArgumentsGoBeforeTheFileAndTheFileBeforeTheDefaults)

@@ -1,6 +1,7 @@
 #include "ros/simulator_farm.h"
 
 #include "ros/conversions.h"
+#include "ros/message_fields.h"
 
 #include <gtest/gtest.h>
 
@@ -96,8 +97,8 @@ public:
     }
     for (size_t i = 0; i < request.genomes.size(); ++i)
     {
-      const double gene = request.genomes[i].size_gene_initial[0];
-      response.evaluations.push_back(toMsg(honestEvaluation(gene), request.trial[i], request.id[i]));
+      const double gene = request.genomes[i].arrays.at(0).values.at(0);
+      response.evaluations.push_back(toMsg(honestEvaluation(gene), request.trial[i], request.id[i], *body_));
     }
     if (corrupt)
     {
@@ -136,6 +137,7 @@ public:
   std::atomic<size_t> largest_batch{ 0 };
 
 private:
+  const std::shared_ptr<const Body> body_ = makeSoftBody(smallBody());
   std::mutex mutex_;
   std::condition_variable changed_;
   bool aborted_ = false;
@@ -147,7 +149,7 @@ class SimulatorFarmTest : public testing::Test
 protected:
   SimulatorFarmTest()
   {
-    settings_.body = smallBody();
+    settings_.body = BodySettings(smallBody());
     settings_.engine_fingerprint = FINGERPRINT;
     settings_.silence_timeout = 30s;
     settings_.retry_delay = 1ms;
@@ -164,7 +166,7 @@ protected:
           {
             throw std::runtime_error(referee_error_);
           }
-          return honestEvaluation(program.size_gene_initial[0]);
+          return honestEvaluation(program.morphology_initial[0]);
         });
   }
 
@@ -183,7 +185,9 @@ protected:
     announcement.pid = pid;
     announcement.version = "9.9.9";
     announcement.instruction_set = "avx2";
-    announcement.engine_fingerprint = fingerprint;
+    announcement.engines.resize(1);
+    announcement.engines[0].body = "soft";
+    announcement.engines[0].fingerprint = fingerprint;
     announcement.lanes = 4;
     announcement.period = 0.01;
     farm_->heardFrom(announcement);
@@ -317,8 +321,8 @@ TEST_F(SimulatorFarmTest, ASimulatorThatTakesTooLongIsGivenUp)
 TEST_F(SimulatorFarmTest, LargerBodiesMayTakeLonger)
 {
   settings_.batch_timeout = 10ms;
-  settings_.body = SoftBodySettings();
-  settings_.body.lifetime = 21.0 * 500.0 - 0.5;  // with settling, a thousand times the paper's 10.5 s
+  settings_.body = BodySettings();
+  settings_.body.soft.lifetime = 21.0 * 500.0 - 0.5;  // with settling, a thousand times the paper's 10.5 s
   open();
   FakeSimulator& slow = join("/slow");
   slow.hangs = true;
@@ -419,10 +423,10 @@ TEST_F(SimulatorFarmTest, AnotherEngineIsRefusedAndToldSo)
   announce("/stranger", 0xfedcba9876543210);
   ASSERT_TRUE(eventually([&] { return stranger.calls == 1; }));
   announce("/stranger", 0xfedcba9876543210);
-  EXPECT_EQ(
-      state("/stranger"),
-      "refused: its engine fingerprint is fedcba9876543210, that of this evolver is 0123456789abcdef; its version "
-      "is 9.9.9");
+  EXPECT_EQ(state("/stranger"),
+            "refused: its engine fingerprint for soft bodies is fedcba9876543210, that of this evolver is "
+            "0123456789abcdef; its version "
+            "is 9.9.9");
   EXPECT_FALSE(status("/stranger").usable());
   join("/friend");
   expectEachOnce(collect(2), 2);
@@ -440,9 +444,10 @@ TEST_F(SimulatorFarmTest, NonsenseIsNotAcceptedFromAnybody)
     [](EvaluateGenomes::Response& answer) { answer.evaluations[0].trial = 2; },
     [&](EvaluateGenomes::Response& answer) { answer.evaluations[0].fitness = nan; },
     [](EvaluateGenomes::Response& answer) { answer.evaluations[0].fitness += 1.0; },
-    [&](EvaluateGenomes::Response& answer) { answer.evaluations[0].turns = nan; },
-    [](EvaluateGenomes::Response& answer) { answer.evaluations[0].airborne_fraction = 1.5; },
-    [](EvaluateGenomes::Response& answer) { answer.evaluations[0].fell_over_since_birth = 2.0; },
+    [&](EvaluateGenomes::Response& answer) { test::valueOf(answer.evaluations[0].measures, "turns") = nan; },
+    [](EvaluateGenomes::Response& answer) { test::valueOf(answer.evaluations[0].measures, "airborne_fraction") = 1.5; },
+    [](EvaluateGenomes::Response& answer)
+    { test::valueOf(answer.evaluations[0].measures, "fell_over_since_birth_s") = 2.0; },
     [](EvaluateGenomes::Response& answer) { answer.evaluations[0].velocity.clear(); },
     [](EvaluateGenomes::Response& answer) { answer.evaluations[0].valid = false; },
     [](EvaluateGenomes::Response& answer) { answer.error = "no"; },
@@ -651,7 +656,7 @@ TEST_F(SimulatorFarmTest, AProgramThatDoesNotFitTheBodyIsNotSubmitted)
 {
   open();
   auto requests = robots(1);
-  requests[0].program.phase_final.pop_back();
+  requests[0].program.control_final.pop_back();
   EXPECT_THROW(farm_->submit(requests), InvalidInput);
 }
 

@@ -188,8 +188,11 @@ class ExperimentTest(unittest.TestCase):
         return subprocess.check_output([program('devo_evo'), 'digest', self.output], text=True).strip()
 
     def undisturbed_digest(self, **parameters):
-        """What `devo_evo evolve` makes of the same parameters."""
-        parameters = dict(SMALL, **parameters)
+        """What `devo_evo evolve` makes of a small experiment with these parameters."""
+        return self.digest_of_evolve(dict(SMALL, **parameters))
+
+    def digest_of_evolve(self, parameters):
+        """What `devo_evo evolve` makes of these parameters."""
         key = tuple(sorted(parameters.items()))
         if key not in self.digests:
             output = os.path.join(self.folder, 'undisturbed')

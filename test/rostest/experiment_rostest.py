@@ -50,6 +50,23 @@ class LaunchTest(ExperimentTest):
         self.wait_for_success(launched)
         self.assertEqual(self.digest(), self.undisturbed_digest(**arguments))
 
+    def test_rigid_bodies_give_the_digest_of_evolve_with_two_simulators(self):
+        config = os.path.join(self.folder, 'short.yaml')
+        with open(config, 'w') as file:
+            file.write('rigid_lifetime: 1\n')
+        arguments = dict(body='rigid', trials=1, generations=4, population=4, seed=3, config=config)
+        launched = self.launch('experiment.launch', simulators=2, output=self.output, **arguments)
+        self.wait_for_success(launched)
+        self.assertEqual(launched.output().count(') joined'), 2, launched.output())
+        self.assertIn('came ', launched.output().split('Best robot: ')[1])
+        self.assertEqual(self.digest(), self.digest_of_evolve(arguments))
+
+    def test_parameters_of_the_other_body_stop_the_start(self):
+        launched = self.launch('experiment.launch', simulators=1, output=self.output, body='rigid', grid='2x2x2')
+        launched.wait()
+        self.assertIn('grid is 2x2x2, but it is a parameter of soft bodies, and body is rigid', launched.output())
+        self.assertFalse(os.path.exists(self.output))
+
     def test_a_farm_of_machines_gives_the_digest_of_evolve(self):
         """Two names of this machine, to which roslaunch needs no ssh."""
         launched = self.launch('farm.launch', machine_1='localhost', machine_2='127.0.0.1', simulators='none',

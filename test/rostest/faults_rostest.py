@@ -7,7 +7,7 @@ import threading
 
 import rospy
 import rostest
-from devo_evo.msg import RobotEvaluation, SimulatorAnnouncement
+from devo_evo.msg import BodyEngine, RobotEvaluation, SimulatorAnnouncement
 from devo_evo.srv import EvaluateGenomes, EvaluateGenomesResponse
 from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
 
@@ -24,7 +24,7 @@ class FakeSimulator:
         self.service = rospy.Service(name + '/evaluate', EvaluateGenomes, self.evaluate)
         self.announcement = SimulatorAnnouncement(
             name=name, service=name + '/evaluate', host='elsewhere', pid=1, version='0.0.0', instruction_set='scalar',
-            engine_fingerprint=fingerprint, lanes=4, period=0.1)
+            engines=[BodyEngine(body='soft', fingerprint=fingerprint)], lanes=4, period=0.1)
         self.publisher = rospy.Publisher(name.rsplit('/', 1)[0] + '/simulators', SimulatorAnnouncement, queue_size=1)
         self.stopped = threading.Event()
         self.thread = threading.Thread(target=self.announce)
@@ -43,6 +43,10 @@ class FakeSimulator:
         self.thread.join()
         self.service.shutdown()
         self.publisher.unregister()
+
+
+def soft_fingerprint(announcement):
+    return {engine.body: engine.fingerprint for engine in announcement.engines}['soft']
 
 
 def nonsense(request):
@@ -87,7 +91,7 @@ class FaultsTest(ExperimentTest):
         honest = self.start_simulator()
         hang = threading.Event()
         self.addCleanup(hang.set)
-        self.fake_simulator('slow', self.first_announcement().engine_fingerprint,
+        self.fake_simulator('slow', soft_fingerprint(self.first_announcement()),
                             lambda request: nonsense(request) if not request.genomes or hang.wait(60.0) else [])
         honest.signal(signal.SIGSTOP)
         wait_until(lambda: evolver.said('/slow (host elsewhere, process 1, scalar): no answer within 1 s'),
@@ -107,7 +111,7 @@ class FaultsTest(ExperimentTest):
                     if status.name.endswith('/stranger') and status.level == DiagnosticStatus.ERROR]
         message = wait_until(refusal, 'diagnostics tell of it')[0].message
         fingerprint = '%016x' % stranger.requests[0].engine_fingerprint
-        self.assertIn('refused: its engine fingerprint is 0000000000000001, that of this evolver is ' + fingerprint, message)
+        self.assertIn('refused: its engine fingerprint for soft bodies is 0000000000000001, that of this evolver is ' + fingerprint, message)
         self.start_simulator()
         self.wait_for_success(evolver)
         self.assertEqual([len(request.genomes) for request in stranger.requests], [0])
@@ -117,7 +121,7 @@ class FaultsTest(ExperimentTest):
     def test_nonsense_is_not_believed(self):
         evolver = self.start_evolver()
         honest = self.start_simulator()
-        fingerprint = self.first_announcement().engine_fingerprint
+        fingerprint = soft_fingerprint(self.first_announcement())
         honest.signal(signal.SIGSTOP)
         liar = self.fake_simulator('liar', fingerprint, nonsense)
         wait_until(lambda: evolver.said('/liar (host elsewhere, process 1, scalar): an evaluation of 9/9 where that of'),
@@ -141,7 +145,7 @@ class FaultsTest(ExperimentTest):
                 evaluation.state_hash ^= 1
             return answer.evaluations
         diagnostics = self.listen('/diagnostics', DiagnosticArray)
-        liar = self.fake_simulator('liar', truth.engine_fingerprint, wrong)
+        liar = self.fake_simulator('liar', soft_fingerprint(truth), wrong)
         wait_until(lambda: evolver.said('[ERROR] quarantined %s/liar (host elsewhere, process 1, scalar): its evaluation of '
                                         'robot ' % self.namespace), 'the lie is noticed')
         self.assertTrue(evolver.said('Look at the memory and the processor of host elsewhere'))
@@ -160,7 +164,7 @@ class FaultsTest(ExperimentTest):
         truth = self.first_announcement()
         hang = threading.Event()
         self.addCleanup(hang.set)
-        self.fake_simulator('slow', truth.engine_fingerprint,
+        self.fake_simulator('slow', soft_fingerprint(truth),
                             lambda request: nonsense(request) if not request.genomes or hang.wait(60.0) else [])
         wait_until(lambda: evolver.said('late: %s/slow (host elsewhere, process 1, scalar): no answer for ' % self.namespace),
                    'it is found late')

@@ -149,7 +149,7 @@ public:
   Evolution()
   {
     settings.output = folder_.path();
-    settings.body.lifetime = 0.3;
+    settings.body.soft.lifetime = 0.3;
     settings.evolution.population = 4;
     settings.trials = 2;
   }
@@ -158,7 +158,7 @@ public:
   {
     settings.generations = generation;
     const auto archive = openArchiveForWriting(settings, test::someProvenance());
-    const auto farm = makeLocalFarm(settings.body, 1);
+    const auto farm = makeLocalFarm(makeBody(settings.body), 1);
     Quiet observer;
     Experiment(settings, *archive, *farm, observer).run();
   }
@@ -460,7 +460,7 @@ protected:
   {
     const auto archive = openArchiveForReading(evolution_.settings.output);
     const RobotChoice robot = parseRobotChoice(choice);
-    return toMsg(archive->readIndividual(*robot.trial, *robot.id), archive->settings().evolution);
+    return toMsg(archive->readIndividual(*robot.trial, *robot.id), archive->settings());
   }
 
   Evolution evolution_;
@@ -502,10 +502,10 @@ TEST_F(FollowerTest, MessagesThatMakeNoSenseAreIgnored)
   best_.publish(message("1/1"));
   ASSERT_TRUE(right_.shows("1/1"));
   EvolvedRobot nonsense = message("1/2");
-  nonsense.genome.phase_final.resize(3);
+  nonsense.genome.control_final.resize(3);
   best_.publish(nonsense);
   nonsense = message("1/2");
-  nonsense.genome.size_gene_final[7] = std::numeric_limits<double>::infinity();
+  nonsense.genome.morphology_final[7] = std::numeric_limits<double>::infinity();
   best_.publish(nonsense);
   best_.publish(message("2/2"));
   EXPECT_TRUE(right_.shows("2/2"));

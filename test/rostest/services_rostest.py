@@ -58,7 +58,9 @@ class ServicesTest(ExperimentTest):
         champion = rospy.wait_for_message(self.namespace + '/champion', EvolvedRobot, 30.0)
         best = rospy.wait_for_message(self.namespace + '/best', EvolvedRobot, 30.0)
         self.assertEqual(champion.treatment, 'evo_devo')
-        self.assertEqual(len(champion.genome.size_gene_initial), 48)
+        self.assertEqual(champion.genome.body, 'soft')
+        self.assertEqual([(array.name, len(array.values)) for array in champion.genome.arrays],
+                         [(name, 48) for name in ('size_gene_initial', 'size_gene_final', 'phase_initial', 'phase_final')])
         self.assertEqual(len(champion.genome.mutation_rate), 48)
         self.assertTrue(best.evaluation.valid)
         self.assertTrue(best.morphology_window > 0.0 and best.control_window > 0.0)

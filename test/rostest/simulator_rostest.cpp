@@ -5,6 +5,7 @@
 #include "ros/conversions.h"
 #include "ros/departed_nodes.h"
 #include "ros/master_calls.h"
+#include "ros/message_fields.h"
 
 #include <gtest/gtest.h>
 #include <ros/ros.h>
@@ -23,6 +24,9 @@ namespace devo_evo
 {
 namespace
 {
+using test::setValue;
+using test::valuesOf;
+
 SoftBodySettings shortLife()
 {
   SoftBodySettings settings;
@@ -43,13 +47,19 @@ std::vector<EvaluationRequest> robots(int64_t count, const SoftBodySettings& set
     request.id = id;
     for (int64_t voxel = 0; voxel < settings.voxelCount(); ++voxel)
     {
-      request.program.size_gene_initial.push_back(value(voxel + 5 * id) / 2.0);
-      request.program.size_gene_final.push_back(value(voxel + 7 * id) / 2.0);
-      request.program.phase_initial.push_back(value(3 * voxel + id) / 4.0);
-      request.program.phase_final.push_back(value(5 * voxel + id) / 4.0);
+      request.program.morphology_initial.push_back(value(voxel + 5 * id) / 2.0);
+      request.program.morphology_final.push_back(value(voxel + 7 * id) / 2.0);
+      request.program.control_initial.push_back(value(3 * voxel + id) / 4.0);
+      request.program.control_final.push_back(value(5 * voxel + id) / 4.0);
     }
   }
   return requests;
+}
+
+EvaluateGenomes::Request requestFor(const std::vector<EvaluationRequest>& requests, const SoftBodySettings& settings,
+                                    uint64_t fingerprint)
+{
+  return toRequest(requests, BodySettings(settings), *makeSoftBody(settings), fingerprint);
 }
 
 std::vector<DevelopmentalProgram> programsOf(const std::vector<EvaluationRequest>& requests)
@@ -123,11 +133,15 @@ TEST_F(SimulatorTest, AnnouncesWhoItIs)
   const SimulatorAnnouncement& best = heard_["/farm/best"];
   validate(best);
   EXPECT_EQ(best.service, "/farm/best/evaluate");
-  EXPECT_EQ(best.engine_fingerprint, engineFingerprint());
+  EXPECT_EQ(fingerprintFor("soft", best), engineFingerprint());
+  EXPECT_EQ(fingerprintFor("rigid", best),
+            makeRigidBody(RigidBodySettings())->engineFingerprint(InstructionSet::SCALAR));
+  EXPECT_EQ(fingerprintFor("liquid", best), 0u);
   EXPECT_EQ(best.lanes, laneCount(bestInstructionSet()));
   EXPECT_EQ(best.period, 0.1);
   const SimulatorAnnouncement& scalar = heard_["/farm/scalar"];
-  EXPECT_EQ(scalar.engine_fingerprint, best.engine_fingerprint);
+  EXPECT_EQ(fingerprintFor("soft", scalar), fingerprintFor("soft", best));
+  EXPECT_EQ(fingerprintFor("rigid", scalar), fingerprintFor("rigid", best));
   EXPECT_EQ(scalar.instruction_set, "scalar");
   EXPECT_EQ(scalar.lanes, 1);
   EXPECT_NE(scalar.pid, best.pid);
@@ -140,9 +154,9 @@ TEST_F(SimulatorTest, AnswersAsTheLibraryDoesToTheLastBit)
   const auto expected = evaluate(settings, programsOf(requests));
   for (const std::string simulator : { "best", "scalar" })
   {
-    const auto response = ask(simulator, toRequest(requests, settings, engineFingerprint()));
+    const auto response = ask(simulator, requestFor(requests, settings, engineFingerprint()));
     ASSERT_EQ(response.error, "");
-    const auto answered = evaluationsOf(response, requests, settings);
+    const auto answered = evaluationsOf(response, requests, *makeSoftBody(settings));
     for (size_t i = 0; i < requests.size(); ++i)
     {
       ASSERT_TRUE(expected[i].valid);
@@ -156,22 +170,24 @@ TEST_F(SimulatorTest, AnswersAsTheLibraryDoesToTheLastBit)
 TEST_F(SimulatorTest, RefusesNonsenseAndGoesOn)
 {
   const SoftBodySettings settings = shortLife();
-  const auto sound = toRequest(robots(2, settings), settings, 0);
+  const auto sound = requestFor(robots(2, settings), settings, 0);
   const double nan = Evaluation::NONE;
   const std::vector<std::function<void(EvaluateGenomes::Request&)>> corruptions = {
     [](EvaluateGenomes::Request& request) { request.engine_fingerprint = 12345; },
-    [](EvaluateGenomes::Request& request) { request.settings.grid_x = 0; },
-    [](EvaluateGenomes::Request& request) { request.settings.grid_z = 2000000000; },
-    [](EvaluateGenomes::Request& request) { request.settings.grid_x = 5; },
-    [&](EvaluateGenomes::Request& request) { request.settings.lifetime = nan; },
-    [](EvaluateGenomes::Request& request) { request.settings.lifetime = 1e300; },
-    [](EvaluateGenomes::Request& request) { request.settings.time_step_fraction = -1.0; },
+    [](EvaluateGenomes::Request& request) { setValue(request.settings, "grid", "0x4x3"); },
+    [](EvaluateGenomes::Request& request) { setValue(request.settings, "grid", "4x4x2000000000"); },
+    [](EvaluateGenomes::Request& request) { setValue(request.settings, "grid", "5x4x3"); },
+    [](EvaluateGenomes::Request& request) { setValue(request.settings, "lifetime", "nan"); },
+    [](EvaluateGenomes::Request& request) { setValue(request.settings, "lifetime", "1e300"); },
+    [](EvaluateGenomes::Request& request) { setValue(request.settings, "time_step_fraction", "-1"); },
     [](EvaluateGenomes::Request& request) { request.trial.pop_back(); },
     [](EvaluateGenomes::Request& request) { request.id.push_back(1); },
-    [](EvaluateGenomes::Request& request) { request.genomes[1].phase_final.resize(1000); },
-    [](EvaluateGenomes::Request& request) { request.genomes[1].size_gene_initial.clear(); },
-    [&](EvaluateGenomes::Request& request) { request.genomes[0].phase_initial[7] = nan; },
-    [](EvaluateGenomes::Request& request) { request.genomes[0].size_gene_final[0] = -1.5; },
+    [](EvaluateGenomes::Request& request) { valuesOf(request.genomes[1], "phase_final").resize(1000); },
+    [](EvaluateGenomes::Request& request) { valuesOf(request.genomes[1], "size_gene_initial").clear(); },
+    [&](EvaluateGenomes::Request& request) { valuesOf(request.genomes[0], "phase_initial")[7] = nan; },
+    [](EvaluateGenomes::Request& request) { valuesOf(request.genomes[0], "size_gene_final")[0] = -1.5; },
+    [](EvaluateGenomes::Request& request) { request.genomes[0].body = "rigid"; },
+    [](EvaluateGenomes::Request& request) { request.settings = devo_evo::toMsg(BodySettings(RigidBodySettings())); },
     [](EvaluateGenomes::Request& request) { request.quarantine = "and evaluate these"; },
     [](EvaluateGenomes::Request& request)
     {
@@ -191,9 +207,39 @@ TEST_F(SimulatorTest, RefusesNonsenseAndGoesOn)
   EXPECT_EQ(ask("best", sound).error, "");
 }
 
+TEST_F(SimulatorTest, SimulatesRigidBodiesAsTheLibraryDoes)
+{
+  RigidBodySettings settings;
+  settings.lifetime = 0.7;
+  const std::shared_ptr<const Body> body = makeRigidBody(settings);
+  std::vector<EvaluationRequest> requests(3);
+  for (int64_t id = 0; id < 3; ++id)
+  {
+    const double length = 0.25 * static_cast<double>(id + 1);
+    requests[static_cast<size_t>(id)] = { 1,
+                                          id,
+                                          { std::vector<double>(4, length), std::vector<double>(4, 0.0),
+                                            std::vector<double>(8, length), std::vector<double>(8, -length) } };
+  }
+  const auto expected = body->evaluate(programsOf(requests), InstructionSet::SCALAR);
+  for (const std::string simulator : { "best", "scalar" })
+  {
+    const auto response = ask(
+        simulator, toRequest(requests, BodySettings(settings), *body, body->engineFingerprint(InstructionSet::SCALAR)));
+    ASSERT_EQ(response.error, "");
+    const auto answered = evaluationsOf(response, requests, *body);
+    for (size_t i = 0; i < requests.size(); ++i)
+    {
+      EXPECT_EQ(answered[i].state_hash, expected[i].state_hash);
+      EXPECT_EQ(answered[i].fitness, expected[i].fitness);
+      EXPECT_EQ(answered[i].body_measures.size(), expected[i].body_measures.size());
+    }
+  }
+}
+
 TEST_F(SimulatorTest, ARequestWithoutRobotsIsWelcome)
 {
-  const auto response = ask("best", toRequest({}, shortLife(), engineFingerprint()));
+  const auto response = ask("best", requestFor({}, shortLife(), engineFingerprint()));
   EXPECT_EQ(response.error, "");
   EXPECT_TRUE(response.evaluations.empty());
 }
@@ -211,14 +257,14 @@ TEST_F(SimulatorTest, AQuarantinedSimulatorSaysSoAndEvaluatesNothingMore)
   ros::Subscriber log = node_.subscribe<rosgraph_msgs::Log>("/rosout", 100, take);
   ASSERT_TRUE(eventually([&] { return heard_.count("/farm/wrong") == 1 && log.getNumPublishers() >= 4; }));
 
-  EvaluateGenomes::Request request = toRequest({}, shortLife(), engineFingerprint());
+  EvaluateGenomes::Request request = requestFor({}, shortLife(), engineFingerprint());
   request.quarantine = "its evaluation of robot 3/17 has state hash 8";
   EXPECT_EQ(ask("wrong", request).error, "");
   ASSERT_TRUE(eventually([&] { return !errors.empty(); }));
   const std::string reason = "quarantined by " + ros::this_node::getName() + ": " + request.quarantine;
   EXPECT_EQ(errors[0].msg.find(reason + ". This simulator evaluates nothing any more."), 0u) << errors[0].msg;
 
-  const auto response = ask("wrong", toRequest(robots(1, shortLife()), shortLife(), 0));
+  const auto response = ask("wrong", requestFor(robots(1, shortLife()), shortLife(), 0));
   EXPECT_EQ(response.error, "this simulator was " + reason);
   EXPECT_TRUE(response.evaluations.empty());
   const auto before = heard_["/farm/wrong"].header.stamp;
@@ -229,7 +275,7 @@ TEST_F(SimulatorTest, PublishesTheVelocityOfEveryRobot)
 {
   const SoftBodySettings settings = shortLife();
   ASSERT_TRUE(eventually([this] { return velocity_.getNumPublishers() == 3; }));
-  ask("best", toRequest(robots(3, settings), settings, 0));
+  ask("best", requestFor(robots(3, settings), settings, 0));
   ASSERT_TRUE(eventually([this] { return telemetry_.size() == 3; }));
   for (const auto& [id, telemetry] : telemetry_)
   {
@@ -251,7 +297,7 @@ TEST_F(SimulatorTest, ShowsTheBestRobotOfItsLastBatchWhileSomebodySubscribes)
   const std::vector<Evaluation> evaluations = evaluate(settings, programsOf(requests));
   const auto worse = [](const Evaluation& a, const Evaluation& b) { return a.fitness < b.fitness; };
   const auto best = std::max_element(evaluations.begin(), evaluations.end(), worse) - evaluations.begin();
-  ask("best", toRequest(requests, settings, 0));  // nobody subscribes yet: this batch is not shown
+  ask("best", requestFor(requests, settings, 0));  // nobody subscribes yet: this batch is not shown
 
   std::map<std::string, visualization_msgs::Marker> shown;
   const boost::function<void(const visualization_msgs::MarkerArray&)> take =
@@ -267,7 +313,7 @@ TEST_F(SimulatorTest, ShowsTheBestRobotOfItsLastBatchWhileSomebodySubscribes)
   ros::WallDuration(0.5).sleep();
   ros::spinOnce();
   EXPECT_TRUE(shown.empty());
-  ask("best", toRequest(requests, settings, 0));
+  ask("best", requestFor(requests, settings, 0));
   ASSERT_TRUE(eventually([&] { return !shown.empty(); }));
   EXPECT_EQ(shown.at("voxels").points.size(), 48u);
   EXPECT_EQ(shown.at("caption").text, individualName(2, best));
@@ -318,7 +364,7 @@ TEST_F(SimulatorTest, ASimulatorThatWasTakenOffTheMastersBooksRegistersAgain)
   DepartedNodes("/farm/simulators", 1).check(std::set<std::string>{ "/farm/best", "/farm/wrong" });
   EXPECT_EQ(registeredSimulators().count("/farm/scalar"), 0u);
   EXPECT_TRUE(eventually([&] { return registeredSimulators() == all; }));
-  EXPECT_EQ(ask("scalar", toRequest({}, shortLife(), engineFingerprint())).error, "");
+  EXPECT_EQ(ask("scalar", requestFor({}, shortLife(), engineFingerprint())).error, "");
 }
 
 TEST(SignsOfLife, LastAsLongAsTheyAreSaidTo)
@@ -335,7 +381,7 @@ TEST(SignsOfLife, LastAsLongAsTheyAreSaidTo)
 TEST_F(SimulatorTest, AnnouncesItselfWhileItSimulates)
 {
   const SoftBodySettings settings = shortLife();
-  const auto request = toRequest(robots(8, settings), settings, 0);
+  const auto request = requestFor(robots(8, settings), settings, 0);
   std::atomic<bool> enough{ false };
   std::thread caller(
       [&]

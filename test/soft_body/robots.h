@@ -34,10 +34,10 @@ inline DevelopmentalProgram scrambledRobot(const SoftBodySettings& settings, uin
     return values;
   };
   DevelopmentalProgram program;
-  program.size_gene_initial = genes();
-  program.size_gene_final = genes();
-  program.phase_initial = genes();
-  program.phase_final = genes();
+  program.morphology_initial = genes();
+  program.morphology_final = genes();
+  program.control_initial = genes();
+  program.control_final = genes();
   return program;
 }
 

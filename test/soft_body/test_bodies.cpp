@@ -25,8 +25,8 @@ DevelopmentalProgram mirrored(const DevelopmentalProgram& program, const Lattice
     }
     return result;
   };
-  return { mirror(program.size_gene_initial), mirror(program.size_gene_final), mirror(program.phase_initial),
-           mirror(program.phase_final) };
+  return { mirror(program.morphology_initial), mirror(program.morphology_final), mirror(program.control_initial),
+           mirror(program.control_final) };
 }
 
 Evaluation evaluateOne(const SoftBodySettings& settings, const DevelopmentalProgram& program,
@@ -120,8 +120,8 @@ TEST(Body, keepsItsMomentumInEmptySpace)
   {
     const size_t i = static_cast<size_t>(voxel);
     body.setPosition(voxel, body.position(voxel) + Vector3d(0.0, 0.0, 10.0));
-    body.setVelocity(voxel, { program.phase_initial[i], program.phase_final[i], 0.1 });
-    body.at(voxel, SIZE_AT_BIRTH) = 0.01 * (1.0 + 0.75 * program.size_gene_initial[i]);
+    body.setVelocity(voxel, { program.control_initial[i], program.control_final[i], 0.1 });
+    body.at(voxel, SIZE_AT_BIRTH) = 0.01 * (1.0 + 0.75 * program.morphology_initial[i]);
   }
   const auto momentum = [&body]
   {

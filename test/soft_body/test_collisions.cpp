@@ -231,9 +231,9 @@ TEST(CollisionList, findsInALargeBodyWhatTestingEveryPairFinds)
   for (int voxel = 0; voxel < lattice.voxelCount(); ++voxel)
   {
     const size_t i = static_cast<size_t>(voxel);
-    const Vector3d direction(random.size_gene_initial[i], random.size_gene_final[i], random.phase_initial[i]);
+    const Vector3d direction(random.morphology_initial[i], random.morphology_final[i], random.control_initial[i]);
     body.setPosition(voxel, (voxel % 50 == 0 ? 1e17 : 0.04) * direction);
-    body.setScale(voxel, 0.01 * (1.0 + 0.75 * random.phase_final[i]));
+    body.setScale(voxel, 0.01 * (1.0 + 0.75 * random.control_final[i]));
   }
   std::vector<std::pair<int, int>> expected;
   for (const int a : lattice.surface())

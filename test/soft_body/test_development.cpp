@@ -53,15 +53,15 @@ Growth grow(const SoftBodySettings& settings, const DevelopmentalProgram& progra
 /// The formulas of docs/physics.md 5 before the guards, with the C library's sine.
 double unguardedScale(const SoftBodySettings& settings, const DevelopmentalProgram& program, double time)
 {
-  const double at_birth = L * (1.0 + 0.75 * program.size_gene_initial[0]);
-  const double at_end = L * (1.0 + 0.75 * program.size_gene_final[0]);
+  const double at_birth = L * (1.0 + 0.75 * program.morphology_initial[0]);
+  const double at_end = L * (1.0 + 0.75 * program.morphology_final[0]);
   if (time < SETTLING)
   {
     return L + std::min(1.0, 2.0 * time / SETTLING) * (at_birth - L);
   }
   const double age = std::min((time - SETTLING) / settings.lifetime, 1.0);
   const double size = at_birth + age * (at_end - at_birth);
-  const double phase = program.phase_initial[0] + age * (program.phase_final[0] - program.phase_initial[0]);
+  const double phase = program.control_initial[0] + age * (program.control_final[0] - program.control_initial[0]);
   const double stroke = std::min(1.0, (4.0 * size / L - 1.0) / 3.0);
   return size + settings.actuation_amplitude * L *
                     std::sin(REFERENCE_TWO_PI * (settings.actuation_frequency * time + phase)) * stroke;

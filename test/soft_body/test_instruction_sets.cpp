@@ -221,8 +221,8 @@ TEST(Lanes, doNotFeelADivergedMate)
     for (int voxel = 0; voxel < 27; ++voxel)
     {
       const size_t i = static_cast<size_t>(voxel);
-      body.setScale(voxel, 0.01 * (1.0 + 0.3 * robots[robot].size_gene_initial[i]), lane);
-      body.setVelocity(voxel, { robots[robot].phase_initial[i], robots[robot].phase_final[i], 0.0 }, lane);
+      body.setScale(voxel, 0.01 * (1.0 + 0.3 * robots[robot].morphology_initial[i]), lane);
+      body.setVelocity(voxel, { robots[robot].control_initial[i], robots[robot].control_final[i], 0.0 }, lane);
     }
     const double not_a_number = std::numeric_limits<double>::quiet_NaN();
     const double infinity = std::numeric_limits<double>::infinity();

@@ -148,23 +148,23 @@ TEST(Program, mayHoldGenesWithinTheLimitsAndSinglePrecisionBeyond)
 TEST(Program, isRejectedWithTheArrayAndTheSizeThatIsWrong)
 {
   DevelopmentalProgram program = uniformRobot(SoftBodySettings(), 0.0);
-  program.phase_final.pop_back();
+  program.control_final.pop_back();
   EXPECT_EQ("phase_final has 47 values; a grid of 4x4x3 voxels needs 48", verdictOn(program));
   program = uniformRobot(SoftBodySettings(), 0.0);
-  program.size_gene_initial.clear();
+  program.morphology_initial.clear();
   EXPECT_EQ("size_gene_initial has 0 values; a grid of 4x4x3 voxels needs 48", verdictOn(program));
 }
 
 TEST(Program, isRejectedWithTheValueThatIsWrong)
 {
   DevelopmentalProgram program = uniformRobot(SoftBodySettings(), 0.0);
-  program.size_gene_final[7] = -1.5;
+  program.morphology_final[7] = -1.5;
   EXPECT_EQ("size_gene_final[7] is -1.5; it must lie within -1 to 1", verdictOn(program));
   program = uniformRobot(SoftBodySettings(), 0.0);
-  program.phase_initial[47] = NOT_A_NUMBER;
+  program.control_initial[47] = NOT_A_NUMBER;
   EXPECT_EQ("phase_initial[47] is nan; it must lie within -1 to 1", verdictOn(program));
   program = uniformRobot(SoftBodySettings(), 0.0);
-  program.phase_initial[0] = 1.0 + 2e-7;
+  program.control_initial[0] = 1.0 + 2e-7;
   EXPECT_EQ(0u, verdictOn(program).find("phase_initial[0] is 1.0000002"));
 }
 
@@ -172,7 +172,7 @@ TEST(Program, isCheckedBeforeASimulation)
 {
   const SoftBodySettings settings;
   DevelopmentalProgram program = uniformRobot(settings, 0.0);
-  program.size_gene_initial[3] = std::numeric_limits<double>::infinity();
+  program.morphology_initial[3] = std::numeric_limits<double>::infinity();
   EXPECT_EQ("size_gene_initial[3] is inf; it must lie within -1 to 1",
             messageOf(
                 [&] {

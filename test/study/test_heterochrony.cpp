@@ -11,8 +11,6 @@ using namespace devo_evo;
 
 namespace
 {
-const Lattice LATTICE(4, 4, 3);
-
 /// Sizes of two voxels; phases do not matter.
 DevelopmentalProgram sizes(const std::vector<double>& initial, const std::vector<double>& final)
 {
@@ -23,11 +21,12 @@ DevelopmentalProgram sizes(const std::vector<double>& initial, const std::vector
 std::vector<ArchivedIndividual> someLineage(const EvolutionSettings& settings, int64_t steps)
 {
   std::vector<ArchivedIndividual> lineage(1);
-  lineage[0].individual.genome = bornGenome(settings, LATTICE, 1, 0, 0, nullptr);
+  lineage[0].individual.genome = bornGenome(settings, layoutOf(settings), 1, 0, 0, nullptr);
   for (int64_t step = 1; step <= steps; ++step)
   {
     ArchivedIndividual child;
-    child.individual.genome = bornGenome(settings, LATTICE, 1, step, step, &lineage.back().individual.genome);
+    child.individual.genome =
+        bornGenome(settings, layoutOf(settings), 1, step, step, &lineage.back().individual.genome);
     lineage.push_back(child);
   }
   return lineage;
@@ -79,9 +78,13 @@ TEST(Heterochrony, addsUpToTheChangeOfTheWindow)
     const DevelopmentalProgram& child = lineage[step].individual.genome.program;
     const WindowClosing body = morphologyClosing(parent, child), control = controlClosing(parent, child, 0.25);
     EXPECT_NEAR(body.initial_towards_final + body.final_towards_initial,
-                morphologyWindow(parent) - morphologyWindow(child), 1e-14);
-    EXPECT_NEAR(control.initial_towards_final + control.final_towards_initial,
-                controlWindow(parent, 0.25) - controlWindow(child, 0.25), 1e-14);
+                morphologyWindow(parent, layoutOf(EvolutionSettings())) -
+                    morphologyWindow(child, layoutOf(EvolutionSettings())),
+                1e-14);
+    EXPECT_NEAR(
+        control.initial_towards_final + control.final_towards_initial,
+        controlWindow(parent, layoutOf(EvolutionSettings())) - controlWindow(child, layoutOf(EvolutionSettings())),
+        1e-14);
   }
 }
 
@@ -90,13 +93,13 @@ TEST(NeutralLineages, beginWithTheFounderAndAreAsLong)
   const EvolutionSettings settings = settingsOf(Treatment::EVO_DEVO, Profile::PAPER);
   const std::vector<ArchivedIndividual> lineage = someLineage(settings, 12);
   const DevelopmentalProgram& founder = lineage.front().individual.genome.program;
-  const Windows windows = neutralWindows(lineage, settings, LATTICE, 1, 1);
+  const Windows windows = neutralWindows(lineage, settings, paperBody(), 1, 1);
   ASSERT_EQ(windows.morphology.size(), 13u);
   ASSERT_EQ(windows.control.size(), 13u);
-  EXPECT_EQ(windows.morphology.front(), morphologyWindow(founder));
-  EXPECT_EQ(windows.control.front(), controlWindow(founder, 0.25));
-  EXPECT_EQ(windows.control, neutralWindows(lineage, settings, LATTICE, 1, 1).control);
-  EXPECT_NE(windows.control, neutralWindows(lineage, settings, LATTICE, 1, 2).control);
+  EXPECT_EQ(windows.morphology.front(), morphologyWindow(founder, layoutOf(settings)));
+  EXPECT_EQ(windows.control.front(), controlWindow(founder, layoutOf(settings)));
+  EXPECT_EQ(windows.control, neutralWindows(lineage, settings, paperBody(), 1, 1).control);
+  EXPECT_NE(windows.control, neutralWindows(lineage, settings, paperBody(), 1, 2).control);
 }
 
 TEST(NeutralLineages, haveTheMutationRatesOfTheRealOne)
@@ -108,7 +111,7 @@ TEST(NeutralLineages, haveTheMutationRatesOfTheRealOne)
   {
     lineage[step].individual.genome.mutation_rate.assign(48, step == 3 ? 1.0 : 0.0);
   }
-  const Windows windows = neutralWindows(lineage, settings, LATTICE, 1, 1);
+  const Windows windows = neutralWindows(lineage, settings, paperBody(), 1, 1);
   const auto moved = [&](size_t step)
   {
     return windows.morphology[step] != windows.morphology[step - 1] ||
@@ -127,7 +130,7 @@ TEST(NeutralLineages, riseFromOneThirdToAboutPointFourFour)
   constexpr int replicates = 60;
   for (int64_t replicate = 1; replicate <= replicates; ++replicate)
   {
-    const Windows windows = neutralWindows(lineage, settings, LATTICE, 1, replicate);
+    const Windows windows = neutralWindows(lineage, settings, paperBody(), 1, replicate);
     first += windows.control.front() / replicates;
     last += windows.control.back() / replicates;
   }

@@ -11,7 +11,6 @@ using namespace devo_evo;
 
 namespace
 {
-const Lattice LATTICE(4, 4, 3);
 constexpr int64_t REPRODUCTIONS = 4000;
 
 /// Within four standard errors.
@@ -31,7 +30,7 @@ TEST(MutationCount, agreesWithTheAnalysisOfThePaper)
       const EvolutionSettings settings = settingsOf(spec.treatment, Profile::PAPER, rate);
       const int n = 2 + (spec.body_develops ? 1 : 0) + (spec.control_develops ? 1 : 0);
       const double none = std::pow(1.0 - 1.0 / n, n);  // of the traits is selected: one is picked
-      const MutationCount count = countMutations(settings, LATTICE, REPRODUCTIONS);
+      const MutationCount count = countMutations(settings, paperBody(), REPRODUCTIONS);
       expectMean(48.0 * (1.0 - std::pow(1.0 - rate / n, n) + rate * none), count.voxels, settings.arm());
       expectMean(48.0 * rate * (1.0 + none), count.genes, settings.arm());
     }
@@ -41,15 +40,16 @@ TEST(MutationCount, agreesWithTheAnalysisOfThePaper)
 TEST(MutationCount, ofGenesIsSixtyAnd63Point1875Lambda)
 {
   // The paper prints 63.8175 for four traits, against its own formula.
-  expectMean(60.0, countMutations(settingsOf(Treatment::EVO, Profile::PAPER, 1.0), LATTICE, REPRODUCTIONS).genes,
+  expectMean(60.0, countMutations(settingsOf(Treatment::EVO, Profile::PAPER, 1.0), paperBody(), REPRODUCTIONS).genes,
              "n=2");
   expectMean(63.1875,
-             countMutations(settingsOf(Treatment::EVO_DEVO, Profile::PAPER, 1.0), LATTICE, REPRODUCTIONS).genes, "n=4");
+             countMutations(settingsOf(Treatment::EVO_DEVO, Profile::PAPER, 1.0), paperBody(), REPRODUCTIONS).genes,
+             "n=4");
 }
 
 TEST(MutationCount, ofNothingIsNothing)
 {
-  const MutationCount count = countMutations(settingsOf(Treatment::EVO_DEVO, Profile::PAPER, 0.0), LATTICE, 100);
+  const MutationCount count = countMutations(settingsOf(Treatment::EVO_DEVO, Profile::PAPER, 0.0), paperBody(), 100);
   EXPECT_EQ(count.voxels.mean, 0.0);
   EXPECT_EQ(count.genes.standard_deviation, 0.0);
 }

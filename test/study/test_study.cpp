@@ -201,7 +201,7 @@ TEST_F(StudyTest, leavesAnotherStudyAlone)
 {
   study_.study.only = { StudyPart::IMPACT };
   runSmall(study_);
-  study_.experiment.body.lifetime = 3.0;
+  study_.experiment.body.soft.lifetime = 3.0;
   EXPECT_NE(messageOf<ArchiveError>([&] { runSmall(study_); }).find("lifetime is 10 there and 3 here"),
             std::string::npos);
 }

@@ -10,17 +10,15 @@ using namespace devo_evo;
 
 namespace
 {
-const Lattice LATTICE(4, 4, 3);
-
 Genome founder(const EvolutionSettings& settings)
 {
-  return bornGenome(settings, LATTICE, 1, 0, 0, nullptr);
+  return bornGenome(settings, layoutOf(settings), 1, 0, 0, nullptr);
 }
 
 std::vector<Genome> walkOf(const WalkKind& kind, Treatment treatment, int64_t number = 1, int64_t steps = 20)
 {
   const EvolutionSettings settings = settingsOf(treatment, Profile::PAPER);
-  return walk(kind, founder(settings), settings, LATTICE, 1, number, steps);
+  return walk(kind, founder(settings), settings, paperBody(), 1, number, steps);
 }
 }  // namespace
 
@@ -33,12 +31,12 @@ TEST(Walk, changesItsOwnSpaceOnly)
       const std::vector<Genome> control = walkOf({ Scope::CONTROL, false, one_voxel }, treatment);
       const std::vector<Genome> body = walkOf({ Scope::BODY, false, one_voxel }, treatment);
       EXPECT_EQ(control.size(), 21u);
-      EXPECT_EQ(control.front().program.size_gene_initial, control.back().program.size_gene_initial);
-      EXPECT_EQ(control.front().program.size_gene_final, control.back().program.size_gene_final);
-      EXPECT_NE(control.front().program.phase_initial, control.back().program.phase_initial);
-      EXPECT_EQ(body.front().program.phase_initial, body.back().program.phase_initial);
-      EXPECT_EQ(body.front().program.phase_final, body.back().program.phase_final);
-      EXPECT_NE(body.front().program.size_gene_initial, body.back().program.size_gene_initial);
+      EXPECT_EQ(control.front().program.morphology_initial, control.back().program.morphology_initial);
+      EXPECT_EQ(control.front().program.morphology_final, control.back().program.morphology_final);
+      EXPECT_NE(control.front().program.control_initial, control.back().program.control_initial);
+      EXPECT_EQ(body.front().program.control_initial, body.back().program.control_initial);
+      EXPECT_EQ(body.front().program.control_final, body.back().program.control_final);
+      EXPECT_NE(body.front().program.morphology_initial, body.back().program.morphology_initial);
       validate(control.back(), settingsOf(treatment, Profile::PAPER), SoftBodySettings());
       validate(body.back(), settingsOf(treatment, Profile::PAPER), SoftBodySettings());
     }
@@ -96,8 +94,8 @@ TEST(Walk, ofOneVoxelChangesAtMostOneVoxelOrAPairAStep)
 TEST(Walk, ofARemovedChampionNeverDevelops)
 {
   const std::vector<Genome> genomes = walkOf({ Scope::BODY, true, false }, Treatment::EVO_DEVO);
-  EXPECT_EQ(genomes.front().program.size_gene_initial,
-            founder(settingsOf(Treatment::EVO_DEVO, Profile::PAPER)).program.size_gene_initial);
+  EXPECT_EQ(genomes.front().program.morphology_initial,
+            founder(settingsOf(Treatment::EVO_DEVO, Profile::PAPER)).program.morphology_initial);
   for (const Genome& genome : genomes)
   {
     validate(genome, settingsOf(Treatment::EVO, Profile::PAPER), SoftBodySettings());

@@ -19,7 +19,7 @@ public:
 inline ExperimentSettings shortLives(const std::string& output)
 {
   ExperimentSettings settings = smallExperiment(output);
-  settings.body.lifetime = 0.1;
+  settings.body.soft.lifetime = 0.1;
   settings.evolution.population = 4;
   settings.generations = 5;
   settings.trials = 2;
@@ -31,7 +31,7 @@ inline void evolveReally(const ExperimentSettings& settings)
   Provenance provenance = someProvenance();
   provenance.engine_fingerprint = 0;
   const auto archive = openArchiveForWriting(settings, provenance);
-  const auto farm = makeLocalFarm(settings.body, 1);
+  const auto farm = makeLocalFarm(makeBody(settings.body), 1);
   NoObserver observer;
   Experiment(settings, *archive, *farm, observer).run();
 }

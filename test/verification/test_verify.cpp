@@ -72,7 +72,7 @@ protected:
   Verification verifyArchive(const VerificationScope& scope) const
   {
     const auto archive = openArchiveForReading(folder_.path());
-    const auto farm = makeLocalFarm(archive->settings().body, 1);
+    const auto farm = makeLocalFarm(makeBody(archive->settings().body), 1);
     return verify(*archive, scope, *farm, [](const Verification&) { return true; });
   }
 
@@ -146,7 +146,7 @@ TEST_F(VerifyTest, simulatesASampleOrALineageOnly)
 TEST_F(VerifyTest, stopsWhenItIsTold)
 {
   const auto archive = openArchiveForReading(folder_.path());
-  const auto farm = makeLocalFarm(archive->settings().body, 1);
+  const auto farm = makeLocalFarm(makeBody(archive->settings().body), 1);
   const Verification found =
       verify(*archive, VerificationScope(), *farm, [](const Verification& so_far) { return so_far.generations < 3; });
   EXPECT_FALSE(found.complete);
@@ -252,7 +252,7 @@ TEST_F(VerifyTest, takesGivenFoundersForSoundAndRefusesToResumeWithOthers)
   EXPECT_FALSE(reopened->readIndividual(2, 1).individual.genome == champion);
   VerificationScope all;
   all.all = true;
-  const auto farm = makeLocalFarm(settings.body, 1);
+  const auto farm = makeLocalFarm(makeBody(settings.body), 1);
   EXPECT_FALSE(verify(*reopened, all, *farm, [](const Verification&) { return true; }).offence);
 
   settings.evolution.founders.reset();

@@ -27,7 +27,7 @@ enum class RandomPurpose : uint32_t
 class RandomStream
 {
 public:
-  /// @param arm        EvolutionSettings::arm(): treatments, profiles and mutation rates have independent numbers.
+  /// @param arm        GenomeLayout::arm: bodies, treatments, profiles and mutation rates have independent numbers.
   /// @param individual id within the trial; 0 for purposes that concern a whole generation.
   RandomStream(int64_t seed, const std::string& arm, int64_t trial, int64_t generation, int64_t individual,
                RandomPurpose purpose);

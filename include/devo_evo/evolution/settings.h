@@ -87,11 +87,13 @@ struct EvolutionSettings
   double meta_mutation_sigma = 4.0 / 48;    ///< of a mutation rate, at every reproduction [1]
   double minimum_mutation_rate = 1.0 / 48;  ///< lower bound and start of self-adaptive mutation rates [1]
 
+  double rigid_mutation_sigma = 0.5;  ///< of a quadruped's weights and leg lengths [share of their range]
+
   /// Bound of a phase, and standard deviation of its mutation [cycles]: 1/4 (paper) or 1 (released code).
   double phaseLimit() const;
 
-  /// Names what decides the random numbers besides the seed: "evo_devo/paper/self_adaptive", "evo/released_code/0.5",
-  /// "evo/paper/self_adaptive/neutral".
+  /// Names what decides the random numbers of soft bodies besides the seed: "evo_devo/paper/self_adaptive",
+  /// "evo/released_code/0.5", "evo/paper/self_adaptive/neutral".
   std::string arm() const;
 
   /// @throw InvalidInput naming the field, its value and its range.

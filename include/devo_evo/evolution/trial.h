@@ -2,7 +2,6 @@
 
 #include "devo_evo/evolution/individual.h"
 #include "devo_evo/evolution/settings.h"
-#include "devo_evo/soft_body/lattice.h"
 
 #include <cstdint>
 #include <vector>
@@ -17,13 +16,13 @@ struct GenerationRecord
   std::vector<Individual> newcomers;  ///< born in this generation, evaluated, by id
   std::vector<int64_t> survivors;     ///< ids of the next population, in ranking order; the champion is first
   int64_t champion = 0;               ///< id of the best valid survivor; of the first survivor if none is valid
-  double best_fitness = 0.0;          ///< [body lengths]; NaN if no survivor is valid
-  double median_fitness = 0.0;        ///< of the valid survivors [body lengths]; NaN if there is none
+  double best_fitness = 0.0;          ///< [in the unit of the body's fitness]; NaN if no survivor is valid
+  double median_fitness = 0.0;  ///< of the valid survivors [in the unit of the body's fitness]; NaN if there is none
 };
 
 /// One evolutionary trial: a pure state machine without clocks, files or threads.
 ///
-///   Trial trial(settings, lattice, number);
+///   Trial trial(settings, body, number);
 ///   for (;;) {
 ///     for (id : trial.awaiting()) trial.setEvaluation(id, ...);   // in any order
 ///     record = trial.select();
@@ -35,13 +34,13 @@ class Trial
 {
 public:
   /// Generation 0: random founders awaiting evaluation.
-  Trial(const EvolutionSettings& settings, const Lattice& lattice, int64_t number);
+  Trial(const EvolutionSettings& settings, const Body& body, int64_t number);
 
   /// Goes on after generation `generation` was selected and recorded: the next call is breed().
   /// @param survivors evaluated, in the order of GenerationRecord::survivors, with their ages in that generation.
   /// @param next_id   the lowest id never given.
   /// @throw std::invalid_argument if there are no survivors, one has no evaluation, or one's id is not below next_id.
-  Trial(const EvolutionSettings& settings, const Lattice& lattice, int64_t number, int64_t generation,
+  Trial(const EvolutionSettings& settings, const Body& body, int64_t number, int64_t generation,
         std::vector<Individual> survivors, int64_t next_id);
 
   int64_t number() const { return number_; }
@@ -78,7 +77,7 @@ private:
   void addNewborn(const Individual* parent);
 
   EvolutionSettings settings_;
-  Lattice lattice_;
+  GenomeLayout layout_;
   int64_t number_;
   int64_t generation_ = 0;
   int64_t next_id_ = 0;

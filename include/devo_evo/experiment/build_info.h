@@ -24,5 +24,5 @@ std::string processorName();
 
 /// Provenance of what is computed on this machine with an instruction set ("scalar", "avx2" or "avx512"). Takes the
 /// fraction of a second that the engine fingerprint takes.
-Provenance localProvenance(const std::string& instruction_set);
+Provenance localProvenance(const std::string& instruction_set, const Body& body);
 }  // namespace devo_evo

@@ -1,8 +1,6 @@
 #pragma once
 
 #include "devo_evo/evolution/genome.h"
-#include "devo_evo/soft_body/evaluation.h"
-#include "devo_evo/soft_body/settings.h"
 
 #include <cstdint>
 #include <istream>
@@ -30,7 +28,8 @@ class RobotReader
 public:
   /// @param input must outlive the reader.
   /// @param name  of the input, for messages.
-  RobotReader(std::istream& input, std::string name, const SoftBodySettings& settings);
+  /// @param body  of the robots: those of another kind are refused.
+  RobotReader(std::istream& input, std::string name, const Body& body);
 
   /// The next robot, checked; none at the end of the input.
   /// @throw InvalidInput with the line for malformed JSON (and the column), a missing or wrong field, a genome that
@@ -44,18 +43,19 @@ private:
 
   std::istream& input_;
   const std::string name_;
-  const SoftBodySettings settings_;
+  const std::string kind_;
+  const GenomeLayout layout_;
   const size_t longest_line_;
   std::string text_;
   int64_t line_ = 0;
 };
 
 /// A robot as a line of JSON that RobotReader reads back as the same, without the line's end.
-std::string robotToJson(const RobotId& id, const Genome& genome, const SoftBodySettings& settings);
+std::string robotToJson(const RobotId& id, const Genome& genome, const Body& body);
 
 /// An evaluation as a line of JSON (docs/tool.md, "Evaluations"), without the line's end. Numbers read back as the
 /// same; null where there is none.
-std::string evaluationToJson(const RobotId& id, const Evaluation& evaluation, const SoftBodySettings& settings);
+std::string evaluationToJson(const RobotId& id, const Evaluation& evaluation, const Body& body);
 
 /// An id as JSON has it: 17 or "golden-000".
 std::string toJson(const RobotId& id);

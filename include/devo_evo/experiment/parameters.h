@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -49,11 +50,15 @@ using ParameterValue = std::variant<bool, int64_t, double, std::string, std::vec
 struct ParameterSpec
 {
   std::string name;
-  std::string group;         ///< "experiment", "evolution", "body", "physics", "farm", "nodes", "study" or "player"
+  std::string group;         ///< "experiment", "evolution", "body", "physics", "rigid body", "farm", "nodes",
+                             ///< "study" or "player"
   std::string unit;          ///< "" if it has none
   std::string description;   ///< one sentence, with the symbol in docs/physics.md where it has one
   std::string allowed;       ///< completes "it must be": "a whole number within 1 to 64", "true or false"
   std::string default_text;  ///< as one would write it
+
+  /// The kind of body that it is of; none: of all.
+  std::optional<BodyKind> body;
 
   /// Checks and sets. @throw InvalidInput naming parameter, value and what is allowed.
   std::function<void(Parameters&, const ParameterValue&)> set;
@@ -65,8 +70,12 @@ struct ParameterSpec
 /// All parameters, group by group, in the order of the documentation.
 const std::vector<ParameterSpec>& parameterSpecs();
 
-/// Whether a parameter says what an experiment is, not where its files lie or what it runs on. Those are archived.
-bool describesExperiment(const ParameterSpec& spec);
+/// Whether a parameter says what an experiment with this kind of body is, not where its files lie or what it runs on.
+/// Those are archived.
+bool describesExperiment(const ParameterSpec& spec, BodyKind kind);
+
+/// Whether evaluations of this kind of body depend on it: kind, world and lifetime.
+bool describesBody(const ParameterSpec& spec, BodyKind kind);
 
 /// @throw InvalidInput if there is none of this name; the message names the closest one.
 const ParameterSpec& parameterSpec(const std::string& name);

@@ -4,6 +4,7 @@
 #include "devo_evo/experiment/experiment.h"
 #include "devo_evo/experiment/settings.h"
 #include "devo_evo/farm/farm.h"
+#include "devo_evo/soft_body/text.h"
 
 #include <string>
 #include <vector>
@@ -11,9 +12,6 @@
 namespace devo_evo
 {
 // What people read while an experiment runs and when it ends; the same from the tool and from the nodes.
-
-/// A number with a fixed count of decimals, whatever the locale; "-" if it is not finite.
-std::string fixedText(double number, int decimals);
 
 /// A duration in its two largest units: "42 s", "3 min 5 s", "2 h 10 min", "4 d 3 h"; "unknown" if it is not finite.
 std::string durationText(double seconds);

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "devo_evo/bodies/bodies.h"
 #include "devo_evo/evolution/settings.h"
-#include "devo_evo/soft_body/settings.h"
 
 #include <cstdint>
 #include <string>
@@ -9,11 +9,11 @@
 
 namespace devo_evo
 {
-/// An experiment: one arm (treatment, profile, mutation rate), several trials side by side. Ranges stand in
-/// experimentIntegers().
+/// An experiment: one kind of body, one arm (treatment, profile, mutation rate), several trials side by side. Ranges
+/// stand in experimentIntegers().
 struct ExperimentSettings
 {
-  SoftBodySettings body;
+  BodySettings body;
   EvolutionSettings evolution;
   int64_t trials = 1;        ///< independent repetitions, numbered from 1 [1]
   int64_t generations = 20;  ///< after generation 0, in every trial [1]
@@ -22,6 +22,9 @@ struct ExperimentSettings
 
   /// @throw InvalidInput naming the field, its value and what is allowed.
   void validate() const;
+
+  /// Of the body alone, and that no parameter of another kind of body is given. @throw InvalidInput likewise.
+  void validateBody() const;
 };
 
 /// The whole numbers of ExperimentSettings, in their order.
@@ -34,7 +37,7 @@ const std::vector<BoundedField<ExperimentSettings, int64_t>>& experimentIntegers
 void loadFounders(ExperimentSettings& settings);
 
 /// The folder an experiment writes to if none is named: $HOME/devo_evo/<treatment>-<profile>-<mutation
-/// rate>-seed-<seed>.
+/// rate>-seed-<seed>, with rigid bodies rigid-<treatment>-seed-<seed>.
 /// @throw InvalidInput if HOME is not an absolute path.
 std::string defaultOutput(const ExperimentSettings& settings);
 }  // namespace devo_evo

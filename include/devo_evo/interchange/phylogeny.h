@@ -33,8 +33,8 @@ using LineSink = std::function<void(const std::string&)>;
 void writeNewick(const std::vector<Descendant>& descendants, const LineSink& sink);
 
 /// The ALife data standard for phylogenies: id, ancestor_list, origin_time, destruction_time [generations], trait_...
-void writeAlifeStandard(const std::vector<Descendant>& descendants, const LineSink& sink);
+void writeAlifeStandard(const std::vector<Descendant>& descendants, const Body& body, const LineSink& sink);
 
 /// Every column of the archive's table `individuals`, and `death`; hashes in hexadecimal digits, nothing for NULL.
-void writeCsv(const std::vector<Descendant>& descendants, const LineSink& sink);
+void writeCsv(const std::vector<Descendant>& descendants, const Body& body, const LineSink& sink);
 }  // namespace devo_evo

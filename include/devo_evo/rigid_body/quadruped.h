@@ -10,6 +10,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace devo_evo
 {
@@ -32,6 +33,8 @@ struct QuadrupedEvaluation
 
   /// When the abdomen had first turned downhill by half a turn, since birth [s]; none: never.
   std::optional<double> first_roll_s;
+  std::vector<double>
+      velocity;  ///< of the abdomen down the slope, mean per window of 0.5 s; the last ends with life [m/s]
 
   uint64_t state_hash = 0;             ///< of the final state of every part; 0 if invalid
   std::optional<int64_t> failed_step;  ///< at which an invalid simulation was given up, counted from 1

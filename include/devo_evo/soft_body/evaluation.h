@@ -21,8 +21,9 @@ struct Divergence
   std::string describe(double time_step) const;
 };
 
-/// The outcome of one robot's life: a pure function of its DevelopmentalProgram and the SoftBodySettings, to the last
-/// bit.
+/// The outcome of one robot's life: a pure function of its DevelopmentalProgram and the settings, of soft bodies to the
+/// last bit on every machine. What is not a soft body has its fitness in a unit of its own and none of what speaks of
+/// voxels; it has body_measures instead. Body::measures() tells what there is.
 struct Evaluation
 {
   static constexpr double NONE = std::numeric_limits<double>::quiet_NaN();
@@ -43,6 +44,9 @@ struct Evaluation
   double airborne_fraction = NONE;  ///< share of the lifetime in which no voxel touches the floor [1]
 
   std::vector<double> velocity_body_lengths_per_s;  ///< mean velocity along +y per window of 0.5 s [body lengths / s]
+
+  std::vector<double> body_measures;  ///< those of Body::measures() that have no name here, in their order; none of a
+                                      ///< soft body
 
   uint64_t state_hash = 0;  ///< of the final state of every voxel (docs/physics.md, "State hash"); 0 if invalid
 

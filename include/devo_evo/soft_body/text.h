@@ -13,6 +13,9 @@ inline std::string toText(int number)
   return toText(static_cast<int64_t>(number));
 }
 
+/// A number with a fixed count of decimals, whatever the locale; "-" if it is not finite.
+std::string fixedText(double number, int decimals);
+
 /// A hash as people see it: 16 lower-case hexadecimal digits.
 std::string hashToString(uint64_t hash);
 }  // namespace devo_evo

@@ -68,7 +68,7 @@ public:
     write("floor", birth, floor);
     recordMotion(robot, survey.evaluation, markers);
     const EvaluationRequest request{ individual.trial, individual.id, robot.program };
-    VelocityTelemetry telemetry = telemetryOf(request, survey.evaluation, robot.body, "lineage");
+    VelocityTelemetry telemetry = telemetryOf(request, survey.evaluation, *makeSoftBody(robot.body), "lineage");
     telemetry.header.stamp = stamp_;
     write("velocity", stamp_, telemetry);
     life_start_ = stamp_.toSec() + options_.pause;
@@ -159,7 +159,7 @@ void writeLineageBag(const Archive& archive, const Lineage& lineage, const Linea
       RobotChoice choice;
       choice.trial = archived.individual.trial;
       choice.id = archived.individual.id;
-      writer.record(*findRobot(archive, choice), toMsg(archived, lineage.settings.evolution));
+      writer.record(*findRobot(archive, choice), toMsg(archived, lineage.settings));
     }
     bag.close();
   }

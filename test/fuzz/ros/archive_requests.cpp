@@ -27,7 +27,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
   {
     const auto request = readMessage<GetIndividual::Request>(fuzz::received(data, size));
     const int64_t id = request.id == request.CHAMPION ? archive->championOf(request.trial) : request.id;
-    const EvolutionSettings settings = archive->settings().evolution;
+    const ExperimentSettings settings = archive->settings();
     for (const ArchivedIndividual& ancestor : archive->readLineage(request.trial, id))
     {
       fuzz::require(toMsg(ancestor, settings).id <= id);

@@ -12,10 +12,13 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
   {
     const auto request = readMessage<EvaluateGenomes::Request>(fuzz::received(data, size));
     quarantineOf(request);
-    const SoftBodySettings settings = fromMsg(request.settings);
-    for (const EvaluationRequest& robot : robotsOf(request, settings))
+    const BodySettings settings = fromMsg(request.settings);
+    for (const EvaluationRequest& robot : robotsOf(request, *makeBody(settings)))
     {
-      makeSimulation(settings, { robot.program }, InstructionSet::SCALAR)->step();
+      if (settings.kind == BodyKind::SOFT)
+      {
+        makeSimulation(settings.soft, { robot.program }, InstructionSet::SCALAR)->step();
+      }
     }
   }
   catch (const InvalidInput&)

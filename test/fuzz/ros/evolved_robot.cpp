@@ -13,7 +13,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
   settings.lifetime = 1.25;
   try
   {
-    const ShownRobot robot = robotOf(readMessage<EvolvedRobot>(fuzz::received(data, size)), settings);
+    const ShownRobot robot = robotOf(readMessage<EvolvedRobot>(fuzz::received(data, size)), BodySettings(settings));
     validate(robot.program, settings);
     fuzz::require(robot.recorded && robot.descent && robot.descent->age >= 0);
     captionText(robot, *robot.recorded, 0.5);
