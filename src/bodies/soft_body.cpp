@@ -145,7 +145,8 @@ public:
     const double travelled = evaluation.fitness * settings_.grid_y;
     if (evaluation.valid && !(std::abs(travelled - evaluation.displacement_y_voxels) <= 1e-15 * std::abs(travelled)))
     {
-      throw InvalidInput("fitness and displacement_y_voxels contradict each other");
+      throw InvalidInput("fitness is " + toText(evaluation.fitness) + ", and displacement_y_voxels " +
+                         toText(evaluation.displacement_y_voxels) + "; they contradict each other");
     }
     if (evaluation.divergence && evaluation.divergence->strain <= 100.0)
     {

@@ -41,7 +41,7 @@ TEST(PartialDevelopment, leavesWhatDoesNotDevelopAsItWasAtBirth)
     Genome genome = bornGenome(settings, layoutOf(settings), 1, 0, 0, nullptr);
     for (int64_t id = 1; id <= 20; ++id)
     {
-      validate(genome, settings, SoftBodySettings());
+      validate(genome, settings, layoutOf(settings));
       EXPECT_EQ(spec.body_develops, genome.program.morphology_initial != genome.program.morphology_final) << spec.name;
       EXPECT_EQ(spec.control_develops, genome.program.control_initial != genome.program.control_final) << spec.name;
       genome = bornGenome(settings, layoutOf(settings), 1, id, id, &genome);
@@ -70,7 +70,9 @@ TEST(PartialDevelopment, refusesAGenomeThatDevelopsInWhatDoesNot)
                                    layoutOf(settingsOf(Treatment::EVO_DEVO, Profile::PAPER)), 1, 0, 0, nullptr);
   for (const Treatment treatment : { Treatment::EVO_DEVO_BODY, Treatment::EVO_DEVO_CONTROL })
   {
-    EXPECT_THROW(validate(genome, settingsOf(treatment, Profile::PAPER), SoftBodySettings()), InvalidInput);
+    EXPECT_THROW(
+        validate(genome, settingsOf(treatment, Profile::PAPER), layoutOf(settingsOf(treatment, Profile::PAPER))),
+        InvalidInput);
   }
 }
 
@@ -104,6 +106,6 @@ TEST(MutationOfOneVoxel, changesOnePhaseOrOneSizeAndItsImage)
     EXPECT_EQ(2, differences(parent.program.morphology_initial, sizes.program.morphology_initial) +
                      differences(parent.program.morphology_final, sizes.program.morphology_final));
     EXPECT_EQ(parent.mutation_rate, sizes.mutation_rate);
-    validate(sizes, settings, SoftBodySettings());
+    validate(sizes, settings, layoutOf(settings));
   }
 }
