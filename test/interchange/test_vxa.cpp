@@ -190,8 +190,8 @@ TEST(Vxa, aFileInTheFormOfTheReleasedExperimentsIsRead)
     }
   }
   const VxaRobot robot = readVxa(text, "robot.vxa");
-  EXPECT_EQ(robot.genome.program.phase_final, someRobot().genome.program.phase_final);
-  EXPECT_EQ(robot.genome.program.size_gene_initial, someRobot().genome.program.size_gene_initial);
+  EXPECT_EQ(robot.genome.program.control_final, someRobot().genome.program.control_final);
+  EXPECT_EQ(robot.genome.program.morphology_initial, someRobot().genome.program.morphology_initial);
   for (const auto& field : softBodyReals())
   {
     EXPECT_EQ(robot.settings.*field.value, someRobot().settings.*field.value) << field.name;

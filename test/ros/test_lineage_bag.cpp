@@ -5,6 +5,7 @@
 #include "devo_evo/experiment/experiment.h"
 #include "devo_evo/farm/local_farm.h"
 #include "devo_evo/render/life_playback.h"
+#include "ros/message_fields.h"
 
 #include <devo_evo/EvolvedRobot.h>
 #include <devo_evo/VelocityTelemetry.h>
@@ -112,14 +113,15 @@ protected:
 
 TEST_F(LineageBag, HoldsTheLivesOfTheArchiveFounderFirst)
 {
-  const std::vector<RecordedLife> lives = record(LineageBagOptions());
+  std::vector<RecordedLife> lives = record(LineageBagOptions());
   ASSERT_EQ(lives.size(), lineage_.individuals.size());
   for (size_t i = 0; i < lives.size(); ++i)
   {
     const Individual& archived = lineage_.individuals[i].individual;
-    const RecordedLife& life = lives[i];
+    RecordedLife& life = lives[i];
     EXPECT_EQ(life.individual.id, archived.id);
-    EXPECT_EQ(life.individual.genome.morphology_initial, archived.genome.program.morphology_initial);
+    EXPECT_EQ(test::elementNamed(life.individual.genome.arrays, "size_gene_initial").values,
+              archived.genome.program.morphology_initial);
     EXPECT_EQ(life.individual.morphology_window, lineage_.individuals[i].morphology_window);
     ASSERT_EQ(life.y.size(), 9u) << "25 a second for 0.3 s, at birth and at the end";
     const double displacement = (life.y.back() - life.y.front()) / settings_.body.soft.voxel_size;
@@ -156,7 +158,7 @@ TEST_F(LineageBag, TakesLessThanAMegabyteForTenSecondsOfLife)
 TEST_F(LineageBag, TakesLessThanAMegabyteForARobotThatRolls)
 {
   settings_.output += "_of_a_roller";
-  settings_.body.lifetime = 10.0;
+  settings_.body.soft.lifetime = 10.0;
   settings_.evolution.profile = Profile::RELEASED_CODE;
   settings_.evolution.population = 2;
   settings_.generations = 0;
@@ -171,9 +173,9 @@ TEST_F(LineageBag, TakesLessThanAMegabyteForARobotThatRolls)
   }
   loadFounders(settings_);
   evolve();
-  const std::vector<RecordedLife> lives = record(LineageBagOptions());
+  std::vector<RecordedLife> lives = record(LineageBagOptions());
   ASSERT_EQ(lives.size(), 1u);
-  EXPECT_GT(lives[0].individual.evaluation.turns, 20.0);
+  EXPECT_GT(test::elementNamed(lives[0].individual.evaluation.measures, "turns").value, 20.0);
   EXPECT_LT(std::filesystem::file_size(path_), 1000000u);
 }
 

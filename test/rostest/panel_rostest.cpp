@@ -567,7 +567,7 @@ TEST_F(Panel, SaysWhereAFilmCannotBeWritten)
 TEST_F(Panel, CancelsAFilm)
 {
   settings_.output = folder_.path() + "/long";
-  settings_.body.lifetime = 30.0;
+  settings_.body.soft.lifetime = 30.0;
   settings_.generations = 0;
   settings_.evolution.population = 2;
   settings_.trials = 1;

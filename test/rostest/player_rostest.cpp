@@ -7,6 +7,7 @@
 #include "devo_evo/render/robot_mesh.h"
 #include "devo_evo/render/shown_robot.h"
 #include "ros/conversions.h"
+#include "ros/message_fields.h"
 
 #include <devo_evo/PlayerState.h>
 #include <devo_evo/Show.h>
@@ -502,10 +503,10 @@ TEST_F(FollowerTest, MessagesThatMakeNoSenseAreIgnored)
   best_.publish(message("1/1"));
   ASSERT_TRUE(right_.shows("1/1"));
   EvolvedRobot nonsense = message("1/2");
-  nonsense.genome.control_final.resize(3);
+  test::valuesOf(nonsense.genome, "phase_final").resize(3);
   best_.publish(nonsense);
   nonsense = message("1/2");
-  nonsense.genome.morphology_final[7] = std::numeric_limits<double>::infinity();
+  test::valuesOf(nonsense.genome, "size_gene_final")[7] = std::numeric_limits<double>::infinity();
   best_.publish(nonsense);
   best_.publish(message("2/2"));
   EXPECT_TRUE(right_.shows("2/2"));

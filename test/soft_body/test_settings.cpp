@@ -1,5 +1,6 @@
 #include "devo_evo/soft_body/settings.h"
 
+#include "evolution/settings_of.h"
 #include "soft_body/robots.h"
 
 #include <gtest/gtest.h>
@@ -186,10 +187,13 @@ TEST(Program, hasWindowsThatTellHowMuchItDevelops)
   settings.grid_x = settings.grid_y = 1;
   settings.grid_z = 2;
   const DevelopmentalProgram program = { { -1.0, 0.0 }, { 1.0, 0.5 }, { 0.25, -0.25 }, { 0.25, 0.25 } };
-  EXPECT_NEAR((2.0 + 0.5) / 2.0 / 2.0, morphologyWindow(program), 1e-15);
-  EXPECT_NEAR((0.0 + 0.5) / 2.0 / 2.0, controlWindow(program, 1.0), 1e-15);
-  EXPECT_NEAR((0.0 + 0.5) / 2.0 / 0.5, controlWindow(program, 0.25), 1e-15);
-  EXPECT_EQ(0.0, morphologyWindow(uniformRobot(settings, 0.7)));
+  const std::shared_ptr<const Body> body = makeSoftBody(settings);
+  const GenomeLayout paper = body->layout(settingsOf(Treatment::EVO_DEVO, Profile::PAPER));
+  const GenomeLayout released_code = body->layout(settingsOf(Treatment::EVO_DEVO, Profile::RELEASED_CODE));
+  EXPECT_NEAR((2.0 + 0.5) / 2.0 / 2.0, morphologyWindow(program, paper), 1e-15);
+  EXPECT_NEAR((0.0 + 0.5) / 2.0 / 2.0, controlWindow(program, released_code), 1e-15);
+  EXPECT_NEAR((0.0 + 0.5) / 2.0 / 0.5, controlWindow(program, paper), 1e-15);
+  EXPECT_EQ(0.0, morphologyWindow(uniformRobot(settings, 0.7), paper));
 }
 
 // ---- batches -----------------------------------------------------------------------------------------------------

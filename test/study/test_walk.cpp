@@ -37,8 +37,9 @@ TEST(Walk, changesItsOwnSpaceOnly)
       EXPECT_EQ(body.front().program.control_initial, body.back().program.control_initial);
       EXPECT_EQ(body.front().program.control_final, body.back().program.control_final);
       EXPECT_NE(body.front().program.morphology_initial, body.back().program.morphology_initial);
-      validate(control.back(), settingsOf(treatment, Profile::PAPER), SoftBodySettings());
-      validate(body.back(), settingsOf(treatment, Profile::PAPER), SoftBodySettings());
+      const EvolutionSettings settings = settingsOf(treatment, Profile::PAPER);
+      validate(control.back(), settings, layoutOf(settings));
+      validate(body.back(), settings, layoutOf(settings));
     }
   }
 }
@@ -96,9 +97,10 @@ TEST(Walk, ofARemovedChampionNeverDevelops)
   const std::vector<Genome> genomes = walkOf({ Scope::BODY, true, false }, Treatment::EVO_DEVO);
   EXPECT_EQ(genomes.front().program.morphology_initial,
             founder(settingsOf(Treatment::EVO_DEVO, Profile::PAPER)).program.morphology_initial);
+  const EvolutionSettings settings = settingsOf(Treatment::EVO, Profile::PAPER);
   for (const Genome& genome : genomes)
   {
-    validate(genome, settingsOf(Treatment::EVO, Profile::PAPER), SoftBodySettings());
+    validate(genome, settings, layoutOf(settings));
   }
 }
 
