@@ -107,7 +107,7 @@ class Archive:
     def designs(self, above):
         """Each phenotype that was ever evaluated, once: control_window, morphology_window [1], fitness [body lengths],
         as far as its fitness exceeds `above` [body lengths]. Of a whole experiment of the paper, millions."""
-        return _with_units(
+        return self._with_units(
             self._database.numbers(
                 "SELECT min(control_window) AS control_window, min(morphology_window) AS morphology_window, "
                 "min(fitness) AS fitness FROM individuals WHERE valid AND fitness > ? GROUP BY phenotype_hash",
