@@ -86,13 +86,14 @@ TEST(MessageReader, ReadsTextAndStamps)
 TEST(MessageReader, RefusesArraysThatCannotBeInTheMessage)
 {
   EvaluateGenomes::Request request;
-  for (const uint32_t claimed : { 1U, 1000U, 0x20000001U, 0xffffffffU })
+  for (const uint32_t claimed : { 2U, 1000U, 0x20000001U, 0xffffffffU })
   {
     const ros::SerializedMessage message = received(request);
     std::memcpy(message.buf.get() + placeOfGenomeCount(), &claimed, sizeof(claimed));
-    // A genome takes 12 bytes, the lengths of its name and two lists; 8 bytes follow, the lengths of trial and id.
+    // A genome takes 12 bytes, the lengths of its name and two lists; as many follow, the lengths of trial, id and
+    // quarantine.
     EXPECT_EQ(complaint(message),
-              "the message has an array of " + std::to_string(claimed) + " elements, of which at most 0 can follow");
+              "the message has an array of " + std::to_string(claimed) + " elements, of which at most 1 can follow");
   }
 }
 

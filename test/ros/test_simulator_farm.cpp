@@ -322,11 +322,12 @@ TEST_F(SimulatorFarmTest, LargerBodiesMayTakeLonger)
 {
   settings_.batch_timeout = 10ms;
   settings_.body = BodySettings();
-  settings_.body.soft.lifetime = 21.0 * 500.0 - 0.5;  // with settling, a thousand times the paper's 10.5 s
+  settings_.body.soft.grid_x = settings_.body.soft.grid_y = settings_.body.soft.grid_z = 8;
+  settings_.body.soft.lifetime = 997.0;  // with settling, 95 times the paper's 10.5 s
   open();
   FakeSimulator& slow = join("/slow");
   slow.hangs = true;
-  const std::vector<double> zeros(48, 0.0);
+  const std::vector<double> zeros(512, 0.0);
   farm_->submit({ { 1, 0, { zeros, zeros, zeros, zeros } } });
   ASSERT_TRUE(eventually([&] { return state("/slow") == "working"; }));
   std::this_thread::sleep_for(100ms);
@@ -554,8 +555,8 @@ TEST_F(SimulatorFarmTest, AQuarantinedSimulatorIsToldWhyUntilItAnswers)
 {
   settings_.checked_fraction = 1.0;
   open();
-  FakeSimulator& liar = join("/liar");
-  liar.corrupt = tellWrongHash;
+  join("/liar").corrupt = tellWrongHash;
+  const std::shared_ptr<FakeSimulator> liar = fakes_.at("/liar");  // outlives its place there
   join("/honest");
   farm_->submit(robots(4));
   collect(4);
@@ -575,7 +576,7 @@ TEST_F(SimulatorFarmTest, AQuarantinedSimulatorIsToldWhyUntilItAnswers)
         return fakes_.at("/liar")->calls > 2;
       }));
   EXPECT_EQ("quarantined: " + fakes_.at("/liar")->quarantine(), state("/liar"));
-  EXPECT_EQ(liar.quarantine(), "");
+  EXPECT_EQ(liar->quarantine(), "");
 }
 
 TEST_F(SimulatorFarmTest, WhatALiarSaidBeforeInTheSameGenerationIsMadeAgain)
