@@ -18,6 +18,14 @@ from laboratory import wait_until  # noqa: E402, F401: tests take it from here
 # Short lives in a small experiment: a run takes a second or two.
 SMALL = {'lifetime': 0.2, 'population': 6, 'generations': 5, 'trials': 2, 'seed': 3}
 
+# The arrays of the genomes of soft robots of 4x4x3 voxels.
+VOXEL_ARRAYS = [(name, 48) for name in ('size_gene_initial', 'size_gene_final', 'phase_initial', 'phase_final')]
+
+
+def array_sizes(genome):
+    """Names and sizes of the arrays of a RobotGenome, in their order."""
+    return [(array.name, len(array.values)) for array in genome.arrays]
+
 
 def program(name):
     """Path of one of our programs."""

@@ -13,7 +13,7 @@ import rospy
 import rostest
 from devo_evo.msg import VelocityTelemetry
 
-from devo_evo_testing import SMALL, ExperimentTest, program, wait_until
+from devo_evo_testing import SMALL, VOXEL_ARRAYS, ExperimentTest, array_sizes, program, wait_until
 
 
 class RecordTest(ExperimentTest):
@@ -44,7 +44,7 @@ class RecordTest(ExperimentTest):
         for trial, generation, fitness, champion in archived:
             robot = champions[trial, generation]
             self.assertEqual((robot.id, robot.evaluation.fitness), (champion, fitness))
-            self.assertEqual(len(robot.genome.size_gene_final), 48)
+            self.assertEqual(array_sizes(robot.genome), VOXEL_ARRAYS)
 
     def test_a_recording_holds_what_the_archive_holds(self):
         launched = self.record_experiment()

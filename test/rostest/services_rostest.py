@@ -12,7 +12,7 @@ from devo_evo.srv import GetIndividual, GetIndividualRequest, GetLineage
 from diagnostic_msgs.msg import DiagnosticArray
 from std_srvs.srv import Trigger
 
-from devo_evo_testing import SMALL, ExperimentTest, wait_until
+from devo_evo_testing import SMALL, VOXEL_ARRAYS, ExperimentTest, array_sizes, wait_until
 
 ENDLESS = 1000000
 CHAMPION = GetIndividualRequest.CHAMPION
@@ -59,8 +59,7 @@ class ServicesTest(ExperimentTest):
         best = rospy.wait_for_message(self.namespace + '/best', EvolvedRobot, 30.0)
         self.assertEqual(champion.treatment, 'evo_devo')
         self.assertEqual(champion.genome.body, 'soft')
-        self.assertEqual([(array.name, len(array.values)) for array in champion.genome.arrays],
-                         [(name, 48) for name in ('size_gene_initial', 'size_gene_final', 'phase_initial', 'phase_final')])
+        self.assertEqual(array_sizes(champion.genome), VOXEL_ARRAYS)
         self.assertEqual(len(champion.genome.mutation_rate), 48)
         self.assertTrue(best.evaluation.valid)
         self.assertTrue(best.morphology_window > 0.0 and best.control_window > 0.0)
@@ -105,7 +104,7 @@ class ServicesTest(ExperimentTest):
         self.assertEqual(champion.individual.trial, 2)
         again = self.call('individual', GetIndividual, 2, champion.individual.id)
         self.assertEqual(str(again.individual), str(champion.individual))  # equal also where there is no number
-        self.assertEqual(len(again.individual.genome.phase_final), 48)
+        self.assertEqual(array_sizes(again.individual.genome), VOXEL_ARRAYS)
         self.assertFalse(math.isnan(again.individual.evaluation.fitness))
 
         lineage = self.call('lineage', GetLineage, 2, champion.individual.id)
