@@ -65,7 +65,8 @@ void Recorder::work()
 bool Recorder::nothingComes()
 {
   const auto silent = [](const ros::Subscriber& subscriber) { return subscriber.getNumPublishers() == 0; };
-  return queue_.isEmpty() && std::all_of(subscribers_.begin(), subscribers_.end(), silent);
+  // In this order: a publisher's last message is in the queue before it is gone.
+  return std::all_of(subscribers_.begin(), subscribers_.end(), silent) && queue_.isEmpty();
 }
 
 void Recorder::write(const std::string& topic, const Event& event)

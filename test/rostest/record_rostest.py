@@ -57,7 +57,8 @@ class RecordTest(ExperimentTest):
         evaluated = sum(report.evaluations for report in messages['generation'])
         self.assertGreaterEqual(len(messages['velocity']), evaluated)  # some are evaluated twice
         self.assertEqual(len(velocities), evaluated)
-        self.assertEqual(messages['settings'][0].lifetime, SMALL['lifetime'])
+        settings = dict(zip(messages['settings'][0].names, messages['settings'][0].values))
+        self.assertEqual((settings['body'], float(settings['lifetime'])), ('soft', SMALL['lifetime']))
         fitnesses = [robot.evaluation.fitness for robot in messages['best']]
         self.assertEqual(fitnesses, sorted(set(fitnesses)))
         self.assertEqual(fitnesses[-1], self.query('SELECT max(best_fitness) FROM generations')[0][0])
