@@ -1,0 +1,148 @@
+#include "devo_evo/study/gait_map.h"
+
+#include "archive/test_tools.h"
+#include "devo_evo/soft_body/simulation.h"
+#include "rigid_body/quadrupeds.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+namespace devo_evo
+{
+namespace
+{
+using test::messageOf;
+
+QuadrupedEvaluation lived(double turns, double abdomen_contact)
+{
+  QuadrupedEvaluation evaluation;
+  evaluation.valid = true;
+  evaluation.fitness = 0.0025;
+  evaluation.turns = turns;
+  evaluation.abdomen_contact = abdomen_contact;
+  return evaluation;
+}
+
+/// A short life: what counts here is who is kept.
+RigidBodySettings shortLife()
+{
+  RigidBodySettings world;
+  world.lifetime = 3.0;
+  world.slope = 6.0;
+  world.leg_residual = 0.0;
+  return world;
+}
+
+GaitSearch smallSearch()
+{
+  GaitSearch search;
+  search.known = { walker(), roller() };
+  search.random_robots = 1;
+  search.climbing_steps = 2;
+  return search;
+}
+
+class Counter : public GaitMapObserver
+{
+public:
+  void cellDone(const GaitMapCell& /*cell*/) override { ++count_; }
+  bool stopRequested() override { return false; }
+  int count() const { return count_; }
+
+private:
+  int count_ = 0;
+};
+
+/// Gives up after the first world, or before.
+class Quitter : public GaitMapObserver
+{
+public:
+  explicit Quitter(bool at_once) : at_once_(at_once) {}
+  void cellDone(const GaitMapCell& /*cell*/) override { throw std::runtime_error("enough"); }
+  bool stopRequested() override { return at_once_; }
+
+private:
+  const bool at_once_;
+};
+
+TEST(GaitOf, TellsWalkersFromRollers)
+{
+  EXPECT_EQ(gaitOf(lived(1.2, 0.9)), Gait::ROLLING);
+  EXPECT_EQ(gaitOf(lived(0.1, 0.0)), Gait::WALKING);
+  EXPECT_EQ(gaitOf(lived(0.1, 0.9)), std::nullopt) << "it lies on its abdomen";
+  EXPECT_EQ(gaitOf(lived(0.7, 0.1)), std::nullopt) << "it tumbles";
+  EXPECT_EQ(gaitOf(lived(-2.0, 0.9)), std::nullopt) << "it rolls uphill";
+  EXPECT_EQ(gaitOf(QuadrupedEvaluation()), std::nullopt);
+}
+
+TEST(GaitSearch, FindsBothGaitsNoWorseThanItBegan)
+{
+  const RigidBodySettings world = shortLife();
+  const GaitMapCell cell = searchGaits(world, smallSearch());
+  ASSERT_TRUE(cell.walking);
+  ASSERT_TRUE(cell.rolling);
+  EXPECT_EQ(gaitOf(cell.walking->evaluation), Gait::WALKING);
+  EXPECT_EQ(gaitOf(cell.rolling->evaluation), Gait::ROLLING);
+  EXPECT_GE(cell.walking->evaluation.fitness, evaluateQuadruped(world, walker()).fitness);
+  EXPECT_GE(cell.rolling->evaluation.fitness, evaluateQuadruped(world, roller()).fitness);
+  EXPECT_EQ(cell.evaluations, 2 + 1 + 2 * 2);
+  EXPECT_EQ(morphologyWindow(cell.rolling->program), 0.0) << "robots of the map do not develop";
+}
+
+TEST(GaitSearch, SaysThatThereIsNoGaitWhereThereIsNone)
+{
+  RigidBodySettings world = shortLife();
+  world.slope = 0.0;
+  world.leg_residual = 0.0;
+  GaitSearch search;
+  search.known = { motionless(0.0) };
+  search.random_robots = search.climbing_steps = 0;
+  const GaitMapCell cell = searchGaits(world, search);
+  EXPECT_FALSE(cell.rolling);
+  EXPECT_FALSE(cell.walking);
+}
+
+TEST(GaitMap, HasEveryWorldInItsPlaceWhateverTheThreads)
+{
+  const std::vector<double> slopes = { 0.0, 6.0 };
+  const std::vector<double> residuals = { 0.0, 0.04 };
+  Counter counter;
+  const auto one = mapGaits(shortLife(), slopes, residuals, smallSearch(), 1, counter);
+  const auto three = mapGaits(shortLife(), slopes, residuals, smallSearch(), 3, counter);
+  EXPECT_EQ(counter.count(), 8);
+  ASSERT_EQ(one.size(), 4u);
+  for (size_t i = 0; i < one.size(); ++i)
+  {
+    EXPECT_EQ(one[i].world.slope, slopes[i / 2]);
+    EXPECT_EQ(one[i].world.leg_residual, residuals[i % 2]);
+    ASSERT_TRUE(one[i].walking);
+    ASSERT_TRUE(three[i].walking);
+    EXPECT_EQ(one[i].walking->evaluation.state_hash, three[i].walking->evaluation.state_hash);
+  }
+}
+
+TEST(GaitMap, EndsWithTheFirstError)
+{
+  Quitter after_one(false);
+  EXPECT_EQ(messageOf<std::runtime_error>(
+                [&] {
+                  mapGaits(shortLife(), { 0.0, 6.0 }, { 0.0 }, smallSearch(), 2, after_one);
+                }),
+            "enough");
+  EXPECT_THROW(mapGaits(shortLife(), { 50.0 }, { 0.0 }, smallSearch(), 1, after_one), InvalidInput);
+  GaitSearch endless;
+  endless.climbing_steps = -1;
+  EXPECT_EQ(messageOf<InvalidInput>([&] { endless.validate(); }),
+            "climbing_steps is -1; it must lie within 0 to 1000000");
+}
+
+TEST(GaitMap, StopsAtOnceWhenTold)
+{
+  Quitter at_once(true);
+  GaitSearch search = smallSearch();
+  search.random_robots = 100000;  // hours
+  EXPECT_THROW(mapGaits(shortLife(), { 0.0 }, { 0.0 }, search, 1, at_once), EvaluationAbandoned);
+}
+}  // namespace
+}  // namespace devo_evo
