@@ -27,7 +27,6 @@ constexpr NamedPart PARTS[] = {
   { StudyPart::IMPACT, "impact" },
   { StudyPart::BASELINES, "baselines" },
   { StudyPart::SWEEP, "sweep" },
-  { StudyPart::RIGID, "rigid" },
 };
 
 StudyPart parsePart(const std::string& name)
@@ -109,10 +108,7 @@ std::vector<StudyPart> partsOf(const StudySettings& settings)
   std::vector<StudyPart> parts = settings.only.empty() ? studyParts() : settings.only;
   if (settings.only.empty())
   {
-    for (const StudyPart part : { StudyPart::PARTIAL, StudyPart::RIGID })
-    {
-      parts.erase(std::remove(parts.begin(), parts.end(), part), parts.end());
-    }
+    parts.erase(std::remove(parts.begin(), parts.end(), StudyPart::PARTIAL), parts.end());
   }
   return parts;
 }

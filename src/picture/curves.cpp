@@ -32,22 +32,6 @@ void drawAxes(Canvas& canvas, const PlotArea& area, const std::string& title, co
   canvas.drawText(area.x + area.width, bottom + 33 * scale, x_label, 12 * scale, inks::GREY, Anchor::RIGHT);
 }
 
-namespace
-{
-/// In the unit that fitness has in this kind of body.
-LineageCurve curveOf(const Lineage& lineage, size_t row)
-{
-  LineageCurve curve = lineageCurves()[row];
-  const std::shared_ptr<const Body> body = makeBody(lineage.settings.body);
-  if (row == 0 && body->kind() != "soft")
-  {
-    curve.title = "fitness [" + body->fitnessUnit() + "]";
-    curve.least_high = 1e-6;
-  }
-  return curve;
-}
-}  // namespace
-
 void drawLineageCurves(Canvas& canvas, const Lineage& lineage, size_t present, double x, double y, double width,
                        double height, double scale)
 {
@@ -56,7 +40,7 @@ void drawLineageCurves(Canvas& canvas, const Lineage& lineage, size_t present, d
   const double row = height / static_cast<double>(lineageCurves().size());
   for (size_t i = 0; i < lineageCurves().size(); ++i)
   {
-    const LineageCurve curve = curveOf(lineage, i);
+    const LineageCurve& curve = lineageCurves()[i];
     const AxisRange values = rangeOf(curve, lineage.individuals);
     const PlotArea area{ x + 44 * scale,     y + static_cast<double>(i) * row + 24 * scale,
                          width - 60 * scale, row - 74 * scale,

@@ -9,18 +9,17 @@ namespace devo_evo
 Image LifePainter::paint(const LifeScene& life, const std::string& title)
 {
   Image image = painter_.paint(life.scene(), life.camera());
-  const Surroundings surroundings = life.appearance().surroundings();
+  const SoftBodySettings& body = life.robot().body;
   Readings readings = life.readings();
   if (!title.empty())
   {
     readings.name = title;
   }
   Canvas canvas(image);
-  drawFloorMarks(canvas, image,
-                 floorMarks(life.birthplace(), life.camera(), surroundings.body_length, surroundings.body_size),
+  drawFloorMarks(canvas, image, floorMarks(life.birthplace(), life.camera(), bodyLength(body), bodySize(body)),
                  life.camera());
   drawReadings(canvas, image, readings);
-  drawColourLegend(canvas, image, colouring_, life.appearance().colourBar(colouring_));
+  drawColourLegend(canvas, image, colouring_, body.voxel_size);
   return image;
 }
 
@@ -32,8 +31,8 @@ ViewOptions viewOf(const PictureFormat& format, double speed)
   return view;
 }
 
-int64_t picturesOfLife(const BodySettings& body, const ViewOptions& view)
+int64_t picturesOfLife(const SoftBodySettings& body, const ViewOptions& view)
 {
-  return 1 + static_cast<int64_t>(std::ceil(makeBody(body)->lifetime() / view.interval - 1e-9));
+  return 1 + static_cast<int64_t>(std::ceil(body.lifetime / view.interval - 1e-9));
 }
 }  // namespace devo_evo

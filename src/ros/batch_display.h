@@ -47,7 +47,7 @@ private:
 
   struct Robot
   {
-    BodySettings settings;
+    SoftBodySettings settings;
     EvaluationRequest request;
     Evaluation evaluation;
   };

@@ -66,19 +66,6 @@ std::vector<Arm> sweepArms(const Parameters& parameters)
   }
   return arms;
 }
-
-/// The treatments of MAIN with rigid bodies.
-std::vector<Arm> rigidArms(const Parameters& parameters)
-{
-  std::vector<Arm> arms = armsWith(StudyPart::RIGID, parameters, THE_PAPERS);
-  for (Arm& arm : arms)
-  {
-    arm.settings.body = BodySettings(parameters.experiment.body.rigid);
-    arm.settings.trials = parameters.study.rigid_trials;
-    arm.settings.generations = parameters.study.rigid_generations;
-  }
-  return arms;
-}
 }  // namespace
 
 std::vector<Arm> armsOf(StudyPart part, const Parameters& parameters)
@@ -93,8 +80,6 @@ std::vector<Arm> armsOf(StudyPart part, const Parameters& parameters)
       return baselineArms(parameters);
     case StudyPart::SWEEP:
       return sweepArms(parameters);
-    case StudyPart::RIGID:
-      return rigidArms(parameters);
     default:
       return {};
   }

@@ -101,13 +101,8 @@ private:
 
   RunOutcome evolve(const Arm& arm)
   {
-    Provenance provenance = provenance_;
-    if (arm.settings.body.kind != parameters_.experiment.body.kind)
-    {
-      provenance.engine_fingerprint = makeBody(arm.settings.body)->engineFingerprint(bestInstructionSet());
-    }
-    const auto archive = openArchiveForWriting(arm.settings, provenance);
-    const auto farm = make_farm_(arm.settings.body);
+    const auto archive = openArchiveForWriting(arm.settings, provenance_);
+    const auto farm = make_farm_(arm.settings.body.soft);
     ArmObserver observer(arm, observer_);
     Experiment experiment(arm.settings, *archive, *farm, observer);
     observer.watch(experiment);

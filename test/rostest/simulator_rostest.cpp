@@ -315,7 +315,7 @@ TEST_F(SimulatorTest, ShowsTheBestRobotOfItsLastBatchWhileSomebodySubscribes)
   EXPECT_TRUE(shown.empty());
   ask("best", requestFor(requests, settings, 0));
   ASSERT_TRUE(eventually([&] { return !shown.empty(); }));
-  EXPECT_EQ(shown.at("parts").points.size(), 48u);
+  EXPECT_EQ(shown.at("voxels").points.size(), 48u);
   EXPECT_EQ(shown.at("caption").text, individualName(2, best));
   EXPECT_EQ(shown.at("body").lifetime, ros::Duration(2.0));
 }

@@ -89,7 +89,7 @@ inline std::string runSmall(const Parameters& parameters, RunOutcome expected = 
                             int64_t patience = INT64_MAX)
 {
   CountingObserver observer(patience);
-  const auto make_farm = [](const BodySettings& body) { return std::make_unique<MadeUpFarm>(body.soft); };
+  const auto make_farm = [](const SoftBodySettings& body) { return std::make_unique<MadeUpFarm>(body); };
   const RunOutcome outcome = runStudy(parameters, someProvenance(), make_farm, observer);
   return outcome == expected ? observer.said() : "not the outcome that was expected\n" + observer.said();
 }

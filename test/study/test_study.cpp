@@ -116,7 +116,7 @@ TEST_F(StudyTest, isTheSameHoweverOftenItIsStopped)
   for (int64_t patience = 3;; patience += 4)  // a little farther every time
   {
     CountingObserver observer(patience);
-    const auto make_farm = [](const BodySettings& body) { return std::make_unique<MadeUpFarm>(body.soft); };
+    const auto make_farm = [](const SoftBodySettings& body) { return std::make_unique<MadeUpFarm>(body); };
     if (runStudy(study_, someProvenance(), make_farm, observer) == RunOutcome::FINISHED)
     {
       break;
@@ -157,7 +157,7 @@ TEST_F(StudyTest, doesNothingTwice)
   runSmall(study_);
   const double starts = value("SELECT count(*) FROM starts");
   const std::string content = contentOfStudy(folder_.path());
-  const auto no_farm = [](const BodySettings& /*body*/) -> std::unique_ptr<Farm>
+  const auto no_farm = [](const SoftBodySettings& /*body*/) -> std::unique_ptr<Farm>
   { throw std::logic_error("everything is known already"); };
   CountingObserver observer;
   EXPECT_EQ(runStudy(study_, someProvenance(), no_farm, observer), RunOutcome::FINISHED);

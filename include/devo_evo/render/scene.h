@@ -1,6 +1,5 @@
 #pragma once
 
-#include "devo_evo/render/appearance.h"
 #include "devo_evo/render/shown_robot.h"
 
 #include <Eigen/Geometry>
@@ -12,7 +11,7 @@
 
 namespace devo_evo
 {
-/// Where a robot's centre of mass has been since birth, and how fast it is, in one frame.
+/// Where a robot's centre of mass has been since birth, and how fast it is.
 class MotionTrace
 {
 public:
@@ -22,10 +21,10 @@ public:
   /// Time between two points of path() [s].
   static constexpr double PATH_SPACING = 0.05;
 
-  /// @param time_since_birth not before the last one given [s]. @param center_of_mass [m].
+  /// @param time_since_birth not before the last one given [s]. @param center_of_mass in the world frame [m].
   void add(double time_since_birth, const Eigen::Vector3d& center_of_mass);
 
-  /// A line from birth to the present place [m].
+  /// A line from birth to the present place, in the world frame [m].
   std::vector<Eigen::Vector3d> path() const;
 
   /// Mean velocity over the last VELOCITY_WINDOW, or since birth if that is less [m/s]; 0 at birth.
@@ -39,7 +38,7 @@ private:
   std::vector<Place> recent_;  ///< the last one that is older than the window, and all since
 };
 
-/// A floor with lines one body length apart, that a distance can be read from. In the floor's frame, at z = 0 [m].
+/// A floor with lines one body length apart, that a distance can be read from. World frame [m].
 struct FloorPlan
 {
   using Line = std::array<Eigen::Vector3d, 2>;
@@ -52,5 +51,5 @@ struct FloorPlan
 };
 
 /// A floor for a life: as far as the robot comes, and some more.
-FloorPlan floorPlan(const LifeSurvey& life, const Surroundings& surroundings);
+FloorPlan floorPlan(const LifeSurvey& life, const SoftBodySettings& body);
 }  // namespace devo_evo
