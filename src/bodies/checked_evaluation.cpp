@@ -1,6 +1,7 @@
 #include "bodies/checked_evaluation.h"
 
 #include "devo_evo/soft_body/text.h"
+#include "soft_body/check_ranges.h"
 
 #include <cmath>
 
@@ -40,7 +41,7 @@ void checkVelocities(const Body& body, const Evaluation& evaluation)
   {
     return;
   }
-  const double windows = body.lifetime() / VELOCITY_WINDOW;
+  const double windows = body.lifetime() / Evaluation::VELOCITY_WINDOW;
   requireWithin("the number of velocity windows", static_cast<double>(velocities.size()), std::floor(windows),
                 std::ceil(windows));
   for (const double velocity : velocities)
@@ -49,14 +50,6 @@ void checkVelocities(const Body& body, const Evaluation& evaluation)
   }
 }
 }  // namespace
-
-void requireWithin(const std::string& name, double value, double low, double high)
-{
-  if (!(value >= low && value <= high))
-  {
-    throw InvalidInput(name + " is " + toText(value) + "; it must lie within " + toText(low) + " to " + toText(high));
-  }
-}
 
 void checkEvaluation(const Body& body, const Evaluation& evaluation)
 {

@@ -41,7 +41,7 @@ Measure number(const char* name, const char* unit, const char* meaning, double m
            maximum };
 }
 
-/// @param field of Divergence. @param absent what it is if it is not known.
+/// @param field of Divergence; a whole number is always known.
 template <class Value, Value Divergence::*field>
 Measure ofDivergence(const char* name, const char* unit, const char* meaning, double minimum, double maximum)
 {

@@ -1,5 +1,6 @@
 #include "devo_evo/experiment/report_text.h"
 #include "devo_evo/picture/pictures.h"
+#include "devo_evo/soft_body/evaluation.h"
 #include "devo_evo/soft_body/lattice.h"
 #include "devo_evo/soft_body/text.h"
 #include "picture/curves.h"
@@ -13,7 +14,7 @@ namespace devo_evo
 {
 namespace
 {
-constexpr double WINDOW = 0.5;  // over which velocity is averaged [s]
+constexpr double WINDOW = Evaluation::VELOCITY_WINDOW;
 
 /// The voxel at the body's surface whose resting length changes most from birth to the end of life.
 int mostDeveloping(const ShownRobot& robot)

@@ -1,5 +1,6 @@
 #include "devo_evo/rigid_body/quadruped.h"
 
+#include "devo_evo/soft_body/evaluation.h"
 #include "devo_evo/soft_body/simulation.h"
 #include "rigid_body/cycle_functions.h"
 #include "rigid_body/quadruped_body.h"
@@ -11,7 +12,6 @@ namespace devo_evo
 namespace
 {
 constexpr double TWO_PI = 6.283185307179586;
-constexpr double VELOCITY_WINDOW = 0.5;  // [s]
 
 const RigidBodySettings& checked(const RigidBodySettings& settings)
 {
@@ -143,7 +143,7 @@ private:
 
   bool windowEnds() const
   {
-    const double end = VELOCITY_WINDOW * static_cast<double>(velocity_.size() + 1);
+    const double end = Evaluation::VELOCITY_WINDOW * static_cast<double>(velocity_.size() + 1);
     return steps_ == settings_.stepCount() || (static_cast<double>(steps_) + 0.5) * settings_.time_step > end;
   }
 

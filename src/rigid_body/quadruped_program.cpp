@@ -3,7 +3,6 @@
 #include "devo_evo/soft_body/developmental_program.h"
 #include "devo_evo/soft_body/text.h"
 
-#include <cmath>
 #include <string>
 
 namespace devo_evo
@@ -22,17 +21,6 @@ void checkArray(const char* name, const std::array<double, N>& values, double mi
     }
   }
 }
-
-template <size_t N>
-double window(const std::array<double, N>& initial, const std::array<double, N>& final, double range)
-{
-  double sum = 0.0;
-  for (size_t i = 0; i < N; ++i)
-  {
-    sum += std::abs(final[i] - initial[i]);
-  }
-  return sum / (range * N);
-}
 }  // namespace
 
 void validate(const QuadrupedProgram& program)
@@ -41,15 +29,5 @@ void validate(const QuadrupedProgram& program)
   checkArray("leg_length_final", program.leg_length_final, 0.0, 1.0);
   checkArray("weight_initial", program.weight_initial, -1.0, 1.0);
   checkArray("weight_final", program.weight_final, -1.0, 1.0);
-}
-
-double morphologyWindow(const QuadrupedProgram& program)
-{
-  return window(program.leg_length_initial, program.leg_length_final, 1.0);
-}
-
-double controlWindow(const QuadrupedProgram& program)
-{
-  return window(program.weight_initial, program.weight_final, 2.0);
 }
 }  // namespace devo_evo

@@ -2,6 +2,7 @@
 
 #include "devo_evo/experiment/parameters.h"
 #include "devo_evo/soft_body/text.h"
+#include "soft_body/check_ranges.h"
 
 #include <ros/names.h>
 
@@ -13,20 +14,12 @@ namespace devo_evo
 {
 namespace
 {
-constexpr double WINDOW = 0.5;  // of velocity telemetry [s]
-
 void require(bool condition, const std::string& what)
 {
   if (!condition)
   {
     throw InvalidInput(what);
   }
-}
-
-void requireWithin(const char* name, double value, double low, double high)
-{
-  require(value >= low && value <= high,
-          std::string(name) + " is " + toText(value) + "; it must lie within " + toText(low) + " to " + toText(high));
 }
 
 std::vector<NamedNumber> toMsg(const std::vector<Measure>& measures, const Evaluation& evaluation)
@@ -349,7 +342,8 @@ std::vector<Evaluation> evaluationsOf(const EvaluateGenomes::Response& response,
     try
     {
       evaluations.push_back(fromMsg(message, body));
-      require(!message.valid || !message.velocity.empty() || body.lifetime() < WINDOW, "the velocities are missing");
+      require(!message.valid || !message.velocity.empty() || body.lifetime() < Evaluation::VELOCITY_WINDOW,
+              "the velocities are missing");
     }
     catch (const InvalidInput& e)
     {
@@ -372,7 +366,8 @@ VelocityTelemetry telemetryOf(const EvaluationRequest& robot, const Evaluation& 
   telemetry.velocity = evaluation.velocity_body_lengths_per_s;
   for (size_t window = 1; window <= telemetry.velocity.size(); ++window)
   {
-    telemetry.window_end.push_back(std::min(static_cast<double>(window) * WINDOW, body.lifetime()));
+    telemetry.window_end.push_back(
+        std::min(static_cast<double>(window) * Evaluation::VELOCITY_WINDOW, body.lifetime()));
   }
   telemetry.mean_velocity = body.meanVelocity(evaluation);
   return telemetry;
@@ -403,7 +398,7 @@ void validate(const SimulatorAnnouncement& announcement)
   {
     requireLabel("engines", engine.body);
   }
-  requireWithin("lanes", announcement.lanes, 1, EvaluateGenomes::Request::MAX_GENOMES);
+  requireWithin<double>("lanes", announcement.lanes, 1, EvaluateGenomes::Request::MAX_GENOMES);
   requireWithin("period", announcement.period, 0.01, 60.0);
   require(announcement.evaluations >= 0, "evaluations must not be negative");
 }

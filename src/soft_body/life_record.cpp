@@ -54,7 +54,7 @@ void LifeRecord::recordOrientation(const Eigen::Quaterniond& orientation)
 
 bool LifeRecord::windowEnds(double time) const
 {
-  return time > SETTLING_TIME + WINDOW * static_cast<double>(window_velocities_.size() + 1);
+  return time > SETTLING_TIME + Evaluation::VELOCITY_WINDOW * static_cast<double>(window_velocities_.size() + 1);
 }
 
 void LifeRecord::endWindow(double time, const Eigen::Vector3d& center_of_mass)

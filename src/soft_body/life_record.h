@@ -18,9 +18,6 @@ public:
   /// How many steps may pass between two calls of recordOrientation().
   static constexpr int64_t ORIENTATION_INTERVAL = 16;
 
-  /// Length of a window of velocity telemetry [s].
-  static constexpr double WINDOW = 0.5;
-
   /// After the first step after birth. @param time of the simulator [s].
   void beginLife(double time, const Eigen::Vector3d& center_of_mass, const Eigen::Quaterniond& orientation);
 

@@ -136,6 +136,12 @@ TEST(RigidGenome, WindowsAreSharesOfTheRanges)
   EXPECT_EQ(controlWindow(program, layout), 1.0);
   program.control_final[0] = -1.0;
   EXPECT_EQ(controlWindow(program, layout), 0.875);
+  program.control_final = program.control_initial;
+  EXPECT_EQ(controlWindow(program, layout), 0.0);
+  program.morphology_initial = program.morphology_final = { 0.5, 0.5, 0.5, 0.5 };
+  EXPECT_EQ(morphologyWindow(program, layout), 0.0);
+  program.morphology_final = { 0.5, 1.0, 0.0, 0.25 };  // (0 + 0.5 + 0.5 + 0.25) / 4
+  EXPECT_DOUBLE_EQ(morphologyWindow(program, layout), 0.3125);
 }
 
 TEST(RigidGenome, WhatDoesNotFitIsRefusedByArrayIndexAndValue)

@@ -82,18 +82,6 @@ TEST(QuadrupedProgram, ValuesAreCheckedAndNamed)
   EXPECT_NE(complaint([&] { validate(program); }).find("weight_initial[7] is nan"), std::string::npos);
 }
 
-TEST(QuadrupedProgram, WindowsAreMeanSharesOfTheRange)
-{
-  QuadrupedProgram program = motionless(0.5);
-  EXPECT_EQ(morphologyWindow(program), 0.0);
-  EXPECT_EQ(controlWindow(program), 0.0);
-  program.leg_length_final = { 0.5, 1.0, 0.0, 0.25 };  // (0 + 0.5 + 0.5 + 0.25) / 4
-  EXPECT_DOUBLE_EQ(morphologyWindow(program), 0.3125);
-  program.weight_initial.fill(-1.0);
-  program.weight_final.fill(1.0);
-  EXPECT_DOUBLE_EQ(controlWindow(program), 1.0);
-}
-
 TEST(CycleFunctions, AgreeWithTheSine)
 {
   for (int i = -4000; i <= 4000; ++i)

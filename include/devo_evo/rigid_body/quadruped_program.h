@@ -24,8 +24,4 @@ struct QuadrupedProgram
 
 /// @throw InvalidInput naming array, index, value and what is allowed.
 void validate(const QuadrupedProgram& program);
-
-/// Developmental windows [1, 0 to 1]: mean over the array of how far each value moves, as a share of its range.
-double morphologyWindow(const QuadrupedProgram& program);  ///< W_L
-double controlWindow(const QuadrupedProgram& program);     ///< W_Phi
 }  // namespace devo_evo

@@ -27,6 +27,7 @@ struct Divergence
 struct Evaluation
 {
   static constexpr double NONE = std::numeric_limits<double>::quiet_NaN();
+  static constexpr double VELOCITY_WINDOW = 0.5;  ///< over which a velocity is averaged [s]
 
   bool valid = false;  ///< false if the simulation diverged; every number below is then NaN, empty or 0
 
@@ -43,7 +44,7 @@ struct Evaluation
       NONE;  ///< accumulated rotation about the lateral axis x [full turns]; positive: rolling forwards, towards +y
   double airborne_fraction = NONE;  ///< share of the lifetime in which no voxel touches the floor [1]
 
-  std::vector<double> velocity_body_lengths_per_s;  ///< mean velocity along +y per window of 0.5 s [body lengths / s]
+  std::vector<double> velocity_body_lengths_per_s;  ///< mean along +y per VELOCITY_WINDOW from birth [body lengths / s]
 
   std::vector<double> body_measures;  ///< those of Body::measures() that have no name here, in their order; none of a
                                       ///< soft body
