@@ -20,24 +20,31 @@ def load_script(name):
 benchmark_report = load_script("benchmark_report")
 
 
+def run(name, cpu, real):
+    return {"name": name, "run_type": "iteration", "cpu_time": cpu, "real_time": real}
+
+
 class BenchmarkReportTest(unittest.TestCase):
     def test_numbers_have_three_significant_digits(self):
         for value, text in ((0.028751, "0.0288"), (1.0, "1"), (12.345, "12.3"), (186.4, "186"), (16468.4, "16,500"),
                             (0, "0"), (None, "")):
             self.assertEqual(benchmark_report.number(value), text)
 
-    def test_the_fastest_repetition_counts_by_the_time_that_matters(self):
-        def run(name, cpu, real):
-            return {"name": name, "run_type": "iteration", "cpu_time": cpu, "real_time": real}
-
+    def test_the_fastest_repetition_comes_first_by_the_time_that_matters(self):
         raw = {"benchmarks": [
             run("lives/a/avx2/iterations:1", 2.0, 1.0), run("lives/a/avx2/iterations:1", 1.0, 9.0),
             run("experiments/b/threads:2/iterations:1/process_time/real_time", 1.0, 9.0),
             run("experiments/b/threads:2/iterations:1/process_time/real_time", 2.0, 1.0),
             {"name": "lives/a/avx2/iterations:1_mean", "run_type": "aggregate", "cpu_time": 0.5, "real_time": 0.5}]}
-        fastest = benchmark_report.fastest_repetitions(raw)
-        self.assertEqual({name: each["cpu_time"] for name, each in fastest.items()},
-                         {"lives/a/avx2": 1.0, "experiments/b/threads:2": 2.0})
+        found = benchmark_report.repetitions(raw)
+        self.assertEqual({name: [each["cpu_time"] for each in of_one] for name, of_one in found.items()},
+                         {"lives/a/avx2": [1.0, 2.0], "experiments/b/threads:2": [2.0, 1.0]})
+
+    def test_unrest_is_how_much_longer_the_middle_repetition_of_a_life_takes_than_its_fastest(self):
+        raw = {"benchmarks": [run(name, cpu, 0.0) for name, times in
+                              (("lives/a", (1.2, 1.0, 9.0)), ("lives/b", (2.0, 2.0, 2.0)), ("lives/c", (5.0, 7.0, 6.0)),
+                               ("limits/d", (1.0, 8.0, 8.0))) for cpu in times]}
+        self.assertAlmostEqual(benchmark_report.unrest(benchmark_report.repetitions(raw)), 0.2)
 
     def test_tables_are_put_in_their_places(self):
         page = "a\n<!-- table x -->\nold\n<!-- end -->\nb\n<!-- table y -->\n<!-- end -->\n"
