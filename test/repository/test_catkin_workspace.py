@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The package in a catkin workspace beside one that uses it, by catkin_make.
+"""The package in a catkin workspace beside one that uses it, by catkin_make and by catkin build.
 
 Configured in earnest and messages made; of what remains, ninja only says what it would build, since compiling everything once
 more takes long.
@@ -40,6 +40,7 @@ int main() { return devo_evo::RobotGenome().size_gene_initial.size() + devo_evo:
 """
 CONFIGURATION = ["--cmake-args", "-DCMAKE_BUILD_TYPE=Release", "-DCATKIN_ENABLE_TESTING=OFF",
                  f"-DPYTHON_EXECUTABLE={PYTHON}"]
+ONLY_MESSAGES = ["--make-args", "devo_evo_generate_messages"]
 
 
 def run(*command, folder):
@@ -73,18 +74,21 @@ class CatkinWorkspaceTest(unittest.TestCase):
         self.assertIn("devo_evo/RobotGenome", run("bash", "-ec", script, folder=self.workspace))
         self.assertTrue((messages / "include/devo_evo/RobotGenome.h").exists())
 
-    def expect_builds(self, build, *files):
-        plan = run("ninja", "-t", "commands", folder=build)
-        for file in files:
-            self.assertIn(file, plan)
-
     def test_catkin_make_configures_both_and_would_build_all_of_them(self):
         # Whatever else the machine does: catkin_make would wait for its load to fall.
-        run("catkin_make", "--use-ninja", "-j", str(os.cpu_count()), "-l", "1000", *CONFIGURATION,
-            "--make-args", "devo_evo_generate_messages", folder=self.workspace)
+        run("catkin_make", "--use-ninja", "-j", str(os.cpu_count()), "-l", "1000", *CONFIGURATION, *ONLY_MESSAGES,
+            folder=self.workspace)
         self.expect_a_sound_development_space(self.workspace / "devel")
-        self.expect_builds(self.workspace / "build", "devel/lib/devo_evo/evolver", "devel/lib/devo_evo/devo_evo",
-                           "devel/lib/libdevo_evo_core.a", "reader")
+        plan = run("ninja", "-t", "commands", folder=self.workspace / "build")
+        for product in ("devel/lib/devo_evo/evolver", "devel/lib/devo_evo/devo_evo", "devel/lib/libdevo_evo_core.a", "reader"):
+            self.assertIn(product, plan)
+
+    def test_catkin_build_configures_the_package_and_makes_its_messages(self):
+        # Merged, or else it would look for the messages' target in a package of its own.
+        run("catkin", "config", "--init", "--merge-devel", folder=self.workspace)
+        run("catkin", "build", "devo_evo", "--no-status", "--no-notify", "-j", str(os.cpu_count()), *CONFIGURATION,
+            *ONLY_MESSAGES, folder=self.workspace)
+        self.expect_a_sound_development_space(self.workspace / "devel")
 
 
 if __name__ == "__main__":
