@@ -2,11 +2,11 @@
 
 #include "archive/connection.h"
 
-#include <string>
+#include <optional>
 
 namespace devo_evo
 {
 /// Looks for damage to the file, and for rows that contradict each other without anything being computed.
-/// @return what is wrong first; empty if nothing is.
-std::string findDamageOf(Connection& connection);
+/// @return what is wrong first; none if nothing is.
+std::optional<Offence> findDamageOf(Connection& connection);
 }  // namespace devo_evo

@@ -117,7 +117,7 @@ std::vector<Start> SqliteArchive::starts() const
   return reading([&] { return readStarts(connection_); });
 }
 
-std::string SqliteArchive::findDamage() const
+std::optional<Offence> SqliteArchive::findDamage() const
 {
   return reading([&] { return findDamageOf(connection_); });
 }

@@ -31,7 +31,7 @@ public:
   std::vector<ArchivedIndividual> readIndividuals(int64_t trial, int64_t first_id, int64_t count) const override;
   std::optional<ArchivedSelection> readSelection(int64_t trial, int64_t generation) const override;
   std::vector<Start> starts() const override;
-  std::string findDamage() const override;
+  std::optional<Offence> findDamage() const override;
   ExperimentSettings settings() const override;
   std::string digest() const override;
 

@@ -53,17 +53,33 @@ std::string readWhole(std::istream& stream, const std::string& name)
   return content;
 }
 
-/// @param path of a file; "-" for standard input.
+/// What there is in the place of a file or pipe; "" if it may be read.
+std::string unreadableKind(const std::string& path)
+{
+  std::error_code ignored;
+  switch (std::filesystem::status(path, ignored).type())
+  {
+    case std::filesystem::file_type::directory:
+      return "folder";
+    case std::filesystem::file_type::character:
+    case std::filesystem::file_type::block:
+      return "device";
+    default:
+      return "";
+  }
+}
+
+/// @param path of a file or a named pipe; "-" for standard input.
 std::string readWhole(const std::string& path)
 {
   if (path == "-")
   {
     return readWhole(std::cin, path);
   }
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored))
+  const std::string kind = unreadableKind(path);
+  if (!kind.empty())
   {
-    throw InvalidInput(path + ": it is a folder; a VXA file or JSON lines are needed");
+    throw InvalidInput(path + ": it is a " + kind + "; a VXA file or JSON lines are needed");
   }
   std::ifstream file(path, std::ios::binary);
   if (!file)

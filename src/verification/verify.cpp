@@ -141,10 +141,9 @@ public:
 
   Verification run()
   {
-    const std::string damage = archive_.findDamage();
-    if (!damage.empty())
+    if (const auto damage = archive_.findDamage())
     {
-      offences_.push_back({ 0, 0, -1, damage });
+      offences_.push_back(*damage);
     }
     for (const int64_t trial : archive_.trials())
     {
@@ -236,15 +235,6 @@ private:
   std::vector<Offence> offences_;
 };
 }  // namespace
-
-std::string Offence::place() const
-{
-  if (id >= 0)
-  {
-    return individualName(trial, id);
-  }
-  return trial > 0 ? "trial " + toText(trial) + ", generation " + toText(generation) : "archive";
-}
 
 Verification verify(const Archive& archive, const VerificationScope& scope, Farm& farm,
                     const std::function<bool(const Verification&)>& progress)

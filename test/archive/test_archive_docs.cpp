@@ -82,7 +82,7 @@ TEST_F(ArchivePageTest, everyTableAndColumnIsDescribed)
   SQLite::Database file = openFile(settings_.output);
   SQLite::Statement columns(file,
                             "SELECT m.name, c.name FROM sqlite_master AS m, pragma_table_info(m.name) AS c "
-                            "WHERE m.type = 'table'");
+                            "WHERE m.type IN ('table', 'view')");
   int count = 0;
   while (columns.executeStep())
   {

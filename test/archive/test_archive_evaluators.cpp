@@ -63,7 +63,7 @@ TEST(ArchiveEvaluators, areNoneInAnArchiveFromBeforeTheyWereKept)
   evolve(*openArchiveForWriting(settings, someProvenance()), settings, 1, 3);
   openFile(folder.path(), SQLite::OPEN_READWRITE).exec("DROP TABLE evaluators");
   EXPECT_TRUE(evaluatorsOf(folder.path(), 0).empty());
-  EXPECT_EQ(openArchiveForReading(folder.path())->findDamage(), "");
+  EXPECT_FALSE(openArchiveForReading(folder.path())->findDamage());
   openArchiveForWriting(settings, someProvenance())->noteEvaluators({ FIRST });
   EXPECT_EQ(describe(evaluatorsOf(folder.path(), 1)), describe({ FIRST }));
 }

@@ -2,6 +2,10 @@
 
 #include "devo_evo/interchange/vxa.h"
 
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 namespace devo_evo
 {
 namespace
@@ -133,6 +137,35 @@ TEST_F(ImportCommand, RefusesWhatIsNeitherVxaNorJson)
   EXPECT_EQ(runTool({ "import", folder_.file("nothing") }).status, WRONG_INPUT);
   EXPECT_EQ(runTool({ "import", folder_.file("") }).status, WRONG_INPUT);
   EXPECT_EQ(runTool({ "import" }).status, WRONG_INPUT);
+}
+
+TEST_F(ImportCommand, RefusesDevicesUnread)
+{
+  for (const char* const device : { "/dev/zero", "/dev/null" })
+  {
+    const ToolResult result = runTool({ "import", device });
+    EXPECT_EQ(result.status, WRONG_INPUT);
+    EXPECT_TRUE(contains(result.err, std::string(device) + ": it is a device"));
+  }
+}
+
+TEST_F(ImportCommand, ReadsANamedPipe)
+{
+  const std::string path = folder_.file("pipe");
+  ASSERT_EQ(mkfifo(path.c_str(), S_IRUSR | S_IWUSR), 0);
+  ToolProcess tool({ "import", path, "--grid", "2x2x1", "--lifetime", "0.1" });
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(30);
+  int pipe = -1;
+  while (pipe < 0 && std::chrono::steady_clock::now() < deadline)  // until the tool has opened it
+  {
+    pipe = open(path.c_str(), O_WRONLY | O_NONBLOCK);
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  ASSERT_GE(pipe, 0);
+  EXPECT_EQ(write(pipe, robot_.data(), robot_.size()), static_cast<ssize_t>(robot_.size()));
+  close(pipe);
+  EXPECT_EQ(tool.finish(), DONE) << tool.err();
+  EXPECT_EQ(tool.out(), runTool({ "export", output_, "--individual", "1/5" }).out);
 }
 
 TEST_F(ImportCommand, RefusesToWriteOverAnyOfItsInputs)

@@ -79,10 +79,8 @@ TEST_F(VerifyCommand, NamesTheFirstOffenderOfAnEditedArchive)
   expectOffence("UPDATE individuals SET fitness = fitness + 1e-12 WHERE trial = 2 AND id IN (11, 7)",
                 "2/7: fitness is ");
   expectOffence("UPDATE individuals SET parent = 1 - (parent = 1) WHERE trial = 1 AND id = 4", "1/4: parent is ");
-  expectOffence("UPDATE individuals SET parent = 2000 WHERE trial = 1 AND id = 4", "archive: ");
+  expectOffence("UPDATE individuals SET parent = 2000 WHERE trial = 1 AND id = 4", "1/4: its parent was born after it");
   expectOffence("UPDATE individuals SET age = age + 1 WHERE trial = 1 AND id = 8", "1/8: age is ");
-  expectOffence("DELETE FROM individuals WHERE trial = 1 AND id = 6", "1/6: this individual is missing");
-  expectOffence("DELETE FROM generations WHERE trial = 2 AND generation = 1", "");
   expectOffence("DELETE FROM survivors WHERE trial = 1 AND generation = 2 AND rank = 4",
                 "trial 1, generation 2: the survivors do not follow from the selection rule");
   expectOffence("UPDATE generations SET champion = champion + 1 WHERE trial = 1 AND generation = 3",
@@ -90,6 +88,25 @@ TEST_F(VerifyCommand, NamesTheFirstOffenderOfAnEditedArchive)
   expectOffence("UPDATE individuals SET genome_hash = zeroblob(16) WHERE trial = 2 AND id = 0",
                 "2/0: genome_hash is 0000");
   expectOffence("UPDATE parameters SET value = '4' WHERE name = 'seed'", "1/0: genome_hash is ");
+}
+
+TEST_F(VerifyCommand, NamesTheRowThatIsMissingWhateverItsTable)
+{
+  expectOffence("DELETE FROM individuals WHERE trial = 1 AND id = 6", "1/6: this individual is missing");
+  const std::string champion = toText(numberIn(
+      output_, "SELECT id FROM champions WHERE trial = 2 AND generation = (SELECT max(generation) FROM generations)"));
+  expectOffence("DELETE FROM individuals WHERE trial = 2 AND id = " + champion,
+                "2/" + champion + ": there is a genome, but this individual's row is missing in the table individuals");
+  expectOffence("DELETE FROM genomes WHERE trial = 2 AND id = " + champion,
+                "2/" + champion + ": it lives or has living descendants, but its row is missing in the table genomes");
+  const std::string generation = "this generation's row is missing in the table generations";
+  expectOffence("DELETE FROM generations WHERE trial = 2 AND generation = 1",
+                "trial 2, generation 1: there are survivors, but " + generation);
+  expectOffence("DELETE FROM generations WHERE trial = 2 AND generation = 5",
+                "trial 2, generation 5: there are survivors, but " + generation);
+  expectOffence("DELETE FROM generations WHERE trial = 2",
+                "trial 2, generation 0: the trial has individuals, but no row in the table generations");
+  expectOffence("UPDATE starts SET number = number + 1", "archive: rows are missing in the table starts");
 }
 
 TEST_F(VerifyCommand, FindsAnotherLifeBySimulatingIt)

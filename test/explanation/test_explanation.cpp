@@ -60,7 +60,7 @@ TEST(Explanation, everyColumnOfTheArchiveHasOne)
   SQLite::Database file = openFile(folder.path());
   SQLite::Statement columns(file,
                             "SELECT m.name || '.' || c.name FROM sqlite_master AS m, pragma_table_info(m.name) AS "
-                            "c WHERE m.type = 'table'");
+                            "c WHERE m.type IN ('table', 'view')");
   int count = 0;
   while (columns.executeStep())
   {

@@ -82,6 +82,18 @@ struct ArchivedSelection
   std::vector<int64_t> survivors;  ///< ids in ranking order
 };
 
+/// Something in an archive that cannot be so.
+struct Offence
+{
+  int64_t trial = 0;       ///< 0: it concerns the whole archive
+  int64_t generation = 0;  ///< of birth, if it concerns an individual; -1: not known
+  int64_t id = -1;         ///< of the individual; -1: it concerns a whole generation or trial
+  std::string what;        ///< a sentence for people
+
+  /// "1/17", "trial 1, generation 3", "archive".
+  std::string place() const;
+};
+
 /// How much there is of a trial.
 struct TrialExtent
 {
@@ -144,9 +156,9 @@ public:
   /// Every start of an evolver on this archive, in their order.
   virtual std::vector<Start> starts() const = 0;
 
-  /// Looks for damage to the file itself, and for rows that belong to nothing.
-  /// @return what is wrong first; empty if nothing is.
-  virtual std::string findDamage() const = 0;
+  /// Looks for damage to the file itself, for rows that are missing, and for those that belong to nothing.
+  /// @return what is wrong first; none if nothing is.
+  virtual std::optional<Offence> findDamage() const = 0;
 
   /// Of the experiment; trials and generations as the last start asked for, or as committed if that is more.
   virtual ExperimentSettings settings() const = 0;

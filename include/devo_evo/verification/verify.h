@@ -18,28 +18,16 @@ struct VerificationScope
   std::optional<int64_t> lineage_of;  ///< instead of a sample, the ancestors of this trial's champion
 };
 
-/// The first thing found that cannot be so.
-struct Offence
-{
-  int64_t trial = 0;       ///< 0: it concerns the whole archive
-  int64_t generation = 0;  ///< of birth, if it concerns an individual
-  int64_t id = -1;         ///< of the individual; -1: it concerns a whole generation or trial
-  std::string what;        ///< a sentence for people
-
-  /// "1/17", "trial 1, generation 3", "archive".
-  std::string place() const;
-};
-
 /// What was checked, and what was found.
 struct Verification
 {
   int64_t trials = 0;
-  int64_t generations = 0;  ///< whose newcomers and survivors were made again from the rules
-  int64_t individuals = 0;  ///< whose birth was repeated
-  int64_t genomes = 0;      ///< stored ones that were compared with the repeated birth
-  int64_t simulated = 0;    ///< individuals whose life was repeated
-  bool complete = true;     ///< false: it was told to stop
-  std::optional<Offence> offence;
+  int64_t generations = 0;         ///< whose newcomers and survivors were made again from the rules
+  int64_t individuals = 0;         ///< whose birth was repeated
+  int64_t genomes = 0;             ///< stored ones that were compared with the repeated birth
+  int64_t simulated = 0;           ///< individuals whose life was repeated
+  bool complete = true;            ///< false: it was told to stop
+  std::optional<Offence> offence;  ///< the first that was found
 };
 
 /// Repeats evolution from the parameters: every birth (and so every mutation), every selection, and the lives of those
