@@ -1,11 +1,12 @@
 # Fuzz targets (docs/robustness.md): test/fuzz/NAME.cpp, and test/fuzz/ros/NAME.cpp for what needs ROS, each with a corpus
-# in test/fuzz/corpus/NAME. Tests replay the corpus; scripts/fuzz builds the fuzzers, which need clang.
+# in test/fuzz/corpus/NAME. Tests replay the corpus; scripts/fuzz builds the fuzzers, which need clang. fuzz_seeds writes
+# what of the corpus follows from messages and parameters.
 
 function(devo_evo_fuzz_target source)
   get_filename_component(name ${source} NAME_WE)
   set(executables)
   if(BUILD_TESTING)
-    add_executable(replay_${name} EXCLUDE_FROM_ALL ${source} test/fuzz/replay.cpp)
+    add_executable(replay_${name} EXCLUDE_FROM_ALL ${source} test/fuzz/drivers/replay.cpp)
     set_target_properties(replay_${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/test)
     add_test(NAME fuzz.${name} COMMAND replay_${name} ${CMAKE_CURRENT_SOURCE_DIR}/test/fuzz/corpus/${name})
     set_tests_properties(fuzz.${name} PROPERTIES TIMEOUT 120)
@@ -13,7 +14,7 @@ function(devo_evo_fuzz_target source)
     list(APPEND executables replay_${name})
   endif()
   if(DEVO_EVO_FUZZ)
-    add_executable(fuzz_${name} ${source})
+    add_executable(fuzz_${name} ${source} test/fuzz/drivers/fuzzer.cpp)
     target_link_options(fuzz_${name} PRIVATE -fsanitize=fuzzer)
     set_target_properties(fuzz_${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR})
     add_dependencies(fuzzers fuzz_${name})
@@ -30,7 +31,6 @@ if(DEVO_EVO_FUZZ)
 endif()
 
 file(GLOB fuzz_targets CONFIGURE_DEPENDS test/fuzz/*.cpp)
-list(FILTER fuzz_targets EXCLUDE REGEX "/replay\\.cpp$")
 foreach(source ${fuzz_targets})
   devo_evo_fuzz_target(${source} devo_evo_core)
 endforeach()
@@ -40,4 +40,16 @@ if(DEVO_EVO_ROS)
   foreach(source ${ros_fuzz_targets})
     devo_evo_fuzz_target(${source} devo_evo_ros)
   endforeach()
+
+  if(BUILD_TESTING)
+    file(GLOB seed_sources CONFIGURE_DEPENDS test/fuzz/seeds/*.cpp)
+    add_executable(fuzz_seeds_test EXCLUDE_FROM_ALL ${seed_sources})
+    set_target_properties(fuzz_seeds_test PROPERTIES
+      OUTPUT_NAME fuzz_seeds RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/test)
+    target_include_directories(fuzz_seeds_test PRIVATE src test)
+    target_link_libraries(fuzz_seeds_test PRIVATE devo_evo_ros SQLiteCpp SQLite::SQLite3)
+    add_test(NAME fuzz.seeds COMMAND fuzz_seeds_test compare ${CMAKE_CURRENT_SOURCE_DIR}/test/fuzz/corpus)
+    set_tests_properties(fuzz.seeds PROPERTIES TIMEOUT 120)
+    add_dependencies(tests fuzz_seeds_test)
+  endif()
 endif()

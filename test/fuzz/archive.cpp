@@ -4,59 +4,85 @@
 
 #include "fuzz/input.h"
 
+namespace devo_evo::fuzz
+{
 namespace
 {
-using namespace devo_evo;
-
-constexpr int64_t SOME_IDS = 4;
-
-/// Damage met by one operation is no reason not to try the next.
-template <class Operation>
-void attempt(Operation operation)
+/// Reads one thing after another: damage met by one is no reason not to try the next.
+class Reading
 {
-  try
+public:
+  template <class Operation>
+  void attempt(Operation operation)
   {
-    operation();
+    try
+    {
+      operation();
+    }
+    catch (const ArchiveError& e)
+    {
+      note(e.what());
+    }
+    catch (const InvalidInput& e)
+    {
+      note(e.what());
+    }
   }
-  catch (const ArchiveError&)
+
+  void note(const std::string& damage) { first_damage_ = first_damage_ ? first_damage_ : damage; }
+
+  const Refusal& firstDamage() const { return first_damage_; }
+
+private:
+  Refusal first_damage_;
+};
+
+void readTrial(const Archive& archive, int64_t trial, Reading& reading)
+{
+  constexpr int64_t SOME_IDS = 4;
+  reading.attempt([&] { archive.readLineage(trial, archive.championOf(trial)); });
+  reading.attempt([&] { archive.readSelection(trial, archive.extentOf(trial).last_generation); });
+  reading.attempt([&] { archive.readIndividuals(trial, 0, SOME_IDS); });
+  for (int64_t id = 0; id < SOME_IDS; ++id)
   {
-  }
-  catch (const InvalidInput&)
-  {
+    reading.attempt([&] { archive.readIndividual(trial, id); });
+    reading.attempt([&] { archive.readLineage(trial, id); });
   }
 }
 
-void readTrial(const Archive& archive, int64_t trial)
+void readAll(const Archive& archive, Reading& reading)
 {
-  attempt([&] { archive.readLineage(trial, archive.championOf(trial)); });
-  for (int64_t id = 0; id < SOME_IDS; ++id)
-  {
-    attempt([&] { archive.readIndividual(trial, id); });
-    attempt([&] { archive.readLineage(trial, id); });
-  }
+  reading.attempt([&] { archive.settings().validate(); });
+  reading.attempt([&] { archive.digest(); });
+  reading.attempt([&] { archive.trialStates(); });
+  reading.attempt([&] { archive.starts(); });
+  reading.attempt([&] { archive.findEvaluation(Hash128()); });
+  reading.attempt([&] { bestChampion(archive); });
+  reading.attempt(
+      [&]
+      {
+        for (const int64_t trial : archive.trials())
+        {
+          readTrial(archive, trial, reading);
+        }
+      });
+  reading.attempt(
+      [&]
+      {
+        if (const auto damage = archive.findDamage())
+        {
+          reading.note(damage->place() + ": " + damage->what);
+        }
+      });
 }
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
+Refusal handle(const uint8_t* data, size_t size)
 {
-  static const fuzz::ScratchFolder folder;
+  static const ScratchFolder folder;
   folder.write("experiment.db", data, size);
-  attempt(
-      []
-      {
-        const auto archive = openArchiveForReading(folder.path());
-        attempt([&] { archive->settings().validate(); });
-        attempt([&] { archive->digest(); });
-        attempt([&] { archive->trialStates(); });
-        attempt([&] { archive->findEvaluation(Hash128()); });
-        attempt(
-            [&]
-            {
-              for (const int64_t trial : archive->trials())
-              {
-                readTrial(*archive, trial);
-              }
-            });
-      });
-  return 0;
+  Reading reading;
+  reading.attempt([&] { readAll(*openArchiveForReading(folder.path()), reading); });
+  return reading.firstDamage();
 }
+}  // namespace devo_evo::fuzz

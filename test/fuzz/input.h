@@ -5,13 +5,17 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <string>
-
-/// What every fuzz target defines: handles one input. Anything but a return is a finding.
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size);
 
 namespace devo_evo::fuzz
 {
+/// Why an input is refused; none if it is accepted.
+using Refusal = std::optional<std::string>;
+
+/// What every fuzz target defines: handles one input. Anything but a return is a finding.
+Refusal handle(const uint8_t* data, size_t size);
+
 /// Ends the program loudly where a promise is broken that no sanitizer knows of.
 inline void require(bool promise)
 {

@@ -1,51 +1,49 @@
-// Robots as JSON lines. The first byte chooses the grid.
+// Robots as JSON lines. The first byte chooses the body: its lowest bit the grid, the next the kind.
 
-#include "devo_evo/experiment/json_lines.h"
 #include "devo_evo/bodies/bodies.h"
+#include "devo_evo/experiment/json_lines.h"
 
-#include "devo_evo/soft_body/simulation.h"
+#include "fuzz/bodies.h"
 #include "fuzz/input.h"
 
 #include <sstream>
 
+namespace devo_evo::fuzz
+{
 namespace
 {
-using namespace devo_evo;
-
-SoftBodySettings settingsFor(uint8_t choice)
+BodySettings settingsFor(uint8_t choice)
 {
-  SoftBodySettings settings;
-  if (choice % 2 == 0)
+  if ((choice & 2) != 0)
   {
-    settings.grid_x = 1;
-    settings.grid_y = 2;
-    settings.grid_z = 1;
+    return BodySettings(RigidBodySettings());
   }
-  return settings;
+  return BodySettings((choice & 1) != 0 ? SoftBodySettings() : twoVoxels());
 }
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
+Refusal handle(const uint8_t* data, size_t size)
 {
   if (size == 0)
   {
-    return 0;
+    return "there is no first byte";
   }
-  const SoftBodySettings settings = settingsFor(data[0]);
-  const std::shared_ptr<const Body> body = makeSoftBody(settings);
+  const BodySettings settings = settingsFor(data[0]);
+  const std::shared_ptr<const Body> body = makeBody(settings);
   std::istringstream input(std::string(reinterpret_cast<const char*>(data + 1), size - 1));
   RobotReader reader(input, "input", *body);
   try
   {
     while (const auto robot = reader.next())
     {
-      fuzz::require(!toJson(robot->id).empty());
-      // Whatever is taken for a robot can be simulated.
-      makeSimulation(settings, { robot->genome.program }, InstructionSet::SCALAR)->step();
+      require(!toJson(robot->id).empty());
+      beginLife(settings, robot->genome.program);
     }
   }
-  catch (const InvalidInput&)
+  catch (const InvalidInput& e)
   {
+    return e.what();
   }
-  return 0;
+  return std::nullopt;
 }
+}  // namespace devo_evo::fuzz

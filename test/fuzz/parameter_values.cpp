@@ -1,43 +1,50 @@
-// One value of one parameter, as launch files, command lines and the parameter server give it: the first byte chooses
-// the parameter, the second the type of the value, the rest is the value. A first byte of 255 makes the rest a name.
+// One value of one parameter, as launch files, command lines and the parameter server give it: a line with the
+// parameter's name, a byte that chooses the type of the value, and the value.
 
 #include "devo_evo/experiment/parameters.h"
 #include "fuzz/input.h"
 
 #include <algorithm>
 #include <cstring>
+#include <string_view>
 
+namespace devo_evo::fuzz
+{
 namespace
 {
-using namespace devo_evo;
-
 template <class Number>
-Number numberFrom(const uint8_t* data, size_t size)
+Number numberFrom(std::string_view bytes)
 {
   Number number{};
-  std::memcpy(&number, data, std::min(size, sizeof(number)));
+  std::memcpy(&number, bytes.data(), std::min(bytes.size(), sizeof(number)));
   return number;
 }
 
-ParameterValue valueFrom(uint8_t type, const uint8_t* data, size_t size)
+std::vector<int64_t> listFrom(std::string_view bytes)
 {
-  switch (type % 5)
+  std::vector<int64_t> list;
+  for (; bytes.size() >= sizeof(int64_t); bytes.remove_prefix(sizeof(int64_t)))
   {
-    case 0:
-      return std::string(reinterpret_cast<const char*>(data), size);
-    case 1:
-      return size > 0 && data[0] % 2 == 1;
-    case 2:
-      return numberFrom<int64_t>(data, size);
-    case 3:
-      return numberFrom<double>(data, size);
+    list.push_back(numberFrom<int64_t>(bytes));
+  }
+  return list;
+}
+
+/// @param type chooses as in the order of ParameterValue: 'b', 'i', 'r', 't' or 'l'; others are text too.
+ParameterValue valueFrom(char type, std::string_view bytes)
+{
+  switch (type)
+  {
+    case 'b':
+      return !bytes.empty() && bytes.front() % 2 != 0;
+    case 'i':
+      return numberFrom<int64_t>(bytes);
+    case 'r':
+      return numberFrom<double>(bytes);
+    case 'l':
+      return listFrom(bytes);
     default:
-      std::vector<int64_t> list;
-      for (; size >= sizeof(int64_t); data += sizeof(int64_t), size -= sizeof(int64_t))
-      {
-        list.push_back(numberFrom<int64_t>(data, size));
-      }
-      return list;
+      return std::string(bytes);
   }
 }
 
@@ -52,31 +59,27 @@ void setOne(const ParameterSpec& spec, const ParameterValue& value)
   {
     spec.set(back, text);
   }
-  fuzz::require(spec.get(back) == text);
+  require(spec.get(back) == text);
 }
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
+Refusal handle(const uint8_t* data, size_t size)
 {
-  constexpr uint8_t NAME = 255;
-  if (size < 2)
+  const std::string_view input(reinterpret_cast<const char*>(data), size);
+  const size_t end_of_name = input.find('\n');
+  if (end_of_name == std::string_view::npos || end_of_name + 1 == size)
   {
-    return 0;
+    return "there is no name, or no value";
   }
-  const auto& specs = parameterSpecs();
   try
   {
-    if (data[0] == NAME)
-    {
-      parameterSpec(std::string(reinterpret_cast<const char*>(data + 1), size - 1));
-    }
-    else
-    {
-      setOne(specs[data[0] % specs.size()], valueFrom(data[1], data + 2, size - 2));
-    }
+    setOne(parameterSpec(std::string(input.substr(0, end_of_name))),
+           valueFrom(input[end_of_name + 1], input.substr(end_of_name + 2)));
   }
-  catch (const InvalidInput&)
+  catch (const InvalidInput& e)
   {
+    return e.what();
   }
-  return 0;
+  return std::nullopt;
 }
+}  // namespace devo_evo::fuzz

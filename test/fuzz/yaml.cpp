@@ -4,19 +4,18 @@
 
 #include "fuzz/input.h"
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
+devo_evo::fuzz::Refusal devo_evo::fuzz::handle(const uint8_t* data, size_t size)
 {
-  using namespace devo_evo;
-  static const fuzz::ScratchFolder folder;
+  static const ScratchFolder folder;
   const std::string path = folder.write("experiment.yaml", data, size);
   Parameters parameters;
   try
   {
     loadParameters(parameters, path);
   }
-  catch (const InvalidInput&)
+  catch (const InvalidInput& e)
   {
-    return 0;
+    return e.what();
   }
   // Whatever is accepted can be written down, and reads back as the same.
   Parameters back;
@@ -26,8 +25,8 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
     if (text != spec.get(back))
     {
       spec.set(back, text);
-      fuzz::require(spec.get(back) == text);
+      require(spec.get(back) == text);
     }
   }
-  return 0;
+  return std::nullopt;
 }

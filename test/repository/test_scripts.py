@@ -157,7 +157,7 @@ class FuzzAndSanitizeArgumentsTest(unittest.TestCase):
         self.assertIn("there is no evolver in /nonexistent", result.stderr)
 
     def test_every_fuzz_target_has_a_corpus_and_every_corpus_a_target(self):
-        sources = [path for path in (REPOSITORY / "test/fuzz").glob("**/*.cpp") if path.stem != "replay"]
+        sources = [*(REPOSITORY / "test/fuzz").glob("*.cpp"), *(REPOSITORY / "test/fuzz/ros").glob("*.cpp")]
         corpora = [path for path in (REPOSITORY / "test/fuzz/corpus").iterdir() if any(path.iterdir())]
         self.assertEqual(sorted(path.stem for path in sources), sorted(path.name for path in corpora))
 

@@ -4,17 +4,17 @@
 #include "fuzz/ros/received.h"
 #include "ros/conversions.h"
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
+devo_evo::fuzz::Refusal devo_evo::fuzz::handle(const uint8_t* data, size_t size)
 {
-  using namespace devo_evo;
   try
   {
-    const auto announcement = readMessage<SimulatorAnnouncement>(fuzz::received(data, size));
+    const auto announcement = readMessage<SimulatorAnnouncement>(received(data, size));
     validate(announcement);
-    fuzz::require(announcement.name.front() == '/' && announcement.name.size() <= 255);
+    require(announcement.name.front() == '/' && announcement.name.size() <= 255);
   }
-  catch (const InvalidInput&)
+  catch (const InvalidInput& e)
   {
+    return e.what();
   }
-  return 0;
+  return std::nullopt;
 }

@@ -7,10 +7,10 @@
 
 #include <devo_evo/GetIndividual.h>
 
+namespace devo_evo::fuzz
+{
 namespace
 {
-using namespace devo_evo;
-
 std::unique_ptr<Archive> makeArchive(const std::string& output)
 {
   const ExperimentSettings settings = test::smallExperiment(output);
@@ -19,23 +19,25 @@ std::unique_ptr<Archive> makeArchive(const std::string& output)
 }
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
+Refusal handle(const uint8_t* data, size_t size)
 {
-  static const fuzz::ScratchFolder folder;
+  static const ScratchFolder folder;
   static const std::unique_ptr<Archive> archive = makeArchive(folder.path());
   try
   {
-    const auto request = readMessage<GetIndividual::Request>(fuzz::received(data, size));
+    const auto request = readMessage<GetIndividual::Request>(received(data, size));
     const int64_t id = request.id == request.CHAMPION ? archive->championOf(request.trial) : request.id;
     const ExperimentSettings settings = archive->settings();
     for (const ArchivedIndividual& ancestor : archive->readLineage(request.trial, id))
     {
-      fuzz::require(toMsg(ancestor, settings).id <= id);
+      require(toMsg(ancestor, settings).id <= id);
     }
-    fuzz::require(toMsg(archive->readIndividual(request.trial, id), settings).id == id);
+    require(toMsg(archive->readIndividual(request.trial, id), settings).id == id);
   }
-  catch (const InvalidInput&)
+  catch (const InvalidInput& e)
   {
+    return e.what();
   }
-  return 0;
+  return std::nullopt;
 }
+}  // namespace devo_evo::fuzz
