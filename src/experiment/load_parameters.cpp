@@ -3,6 +3,7 @@
 #include "devo_evo/soft_body/text.h"
 #include "experiment/parameter_values.h"
 
+#include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/yaml.h>
 
 #include <cerrno>
@@ -10,6 +11,8 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <optional>
+#include <sstream>
 
 namespace devo_evo
 {
@@ -46,17 +49,57 @@ std::string position(const std::string& file, const YAML::Mark& mark)
   return mark.is_null() ? file : file + ":" + toText(mark.line + 1);
 }
 
+/// Notes where documents begin, and lets pass what is in them.
+class DocumentStarts : public YAML::EventHandler
+{
+public:
+  void OnDocumentStart(const YAML::Mark& mark) override { latest = mark; }
+  void OnDocumentEnd() override {}
+  void OnNull(const YAML::Mark&, YAML::anchor_t) override {}
+  void OnAlias(const YAML::Mark&, YAML::anchor_t) override {}
+  void OnScalar(const YAML::Mark&, const std::string&, YAML::anchor_t, const std::string&) override {}
+  void OnSequenceStart(const YAML::Mark&, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override {}
+  void OnSequenceEnd() override {}
+  void OnMapStart(const YAML::Mark&, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override {}
+  void OnMapEnd() override {}
+
+  YAML::Mark latest;
+};
+
+/// Where a second document begins, if there is one. YAML::LoadAll() would tell, but never ends where a document cannot
+/// begin, as with a comma: it takes that for one empty document after another.
+std::optional<YAML::Mark> secondDocument(const std::string& text)
+{
+  std::istringstream stream(text);
+  YAML::Parser parser(stream);
+  DocumentStarts starts;
+  if (!parser.HandleNextDocument(starts))
+  {
+    return std::nullopt;
+  }
+  const YAML::Mark first = starts.latest;
+  if (!parser.HandleNextDocument(starts))
+  {
+    return std::nullopt;
+  }
+  if (starts.latest.pos == first.pos)
+  {
+    throw YAML::ParserException(first, "a document cannot begin like this");
+  }
+  return starts.latest;
+}
+
 /// The only document of a YAML file; a null node if there is none.
 YAML::Node loadDocument(const std::string& path)
 {
+  const std::string text = readFile(path);
   try
   {
-    const std::vector<YAML::Node> documents = YAML::LoadAll(readFile(path));
-    if (documents.size() > 1)
+    if (const auto second = secondDocument(text))
     {
-      throw InvalidInput(position(path, documents[1].Mark()) + ": a second document; a file must have only one");
+      throw InvalidInput(position(path, *second) + ": a second document; a file must have only one");
     }
-    return documents.empty() ? YAML::Node() : documents.front();
+    return YAML::Load(text);
   }
   catch (const YAML::Exception& error)
   {
