@@ -1,5 +1,6 @@
 #include "bodies/checked_evaluation.h"
 #include "devo_evo/bodies/bodies.h"
+#include "devo_evo/bodies/rigid.h"
 #include "devo_evo/evolution/genome.h"
 #include "devo_evo/rigid_body/quadruped.h"
 #include "devo_evo/soft_body/text.h"
@@ -87,10 +88,9 @@ std::array<double, N> arrayOf(const std::vector<double>& values)
   return array;
 }
 
-QuadrupedProgram quadrupedOf(const DevelopmentalProgram& program)
+double bodyLength(const RigidBodySettings& settings)
 {
-  return { arrayOf<LEG_COUNT>(program.morphology_initial), arrayOf<LEG_COUNT>(program.morphology_final),
-           arrayOf<SYNAPSE_COUNT>(program.control_initial), arrayOf<SYNAPSE_COUNT>(program.control_final) };
+  return 2.0 * settings.abdomen_radius;
 }
 
 class RigidBody : public Body
@@ -152,7 +152,7 @@ public:
     std::vector<Evaluation> evaluations;
     for (const DevelopmentalProgram& program : programs)
     {
-      evaluations.push_back(toEvaluation(evaluateQuadruped(settings_, quadrupedOf(program), stop)));
+      evaluations.push_back(toEvaluation(evaluateQuadruped(settings_, toQuadruped(program), stop), settings_));
     }
     return evaluations;
   }
@@ -172,7 +172,7 @@ public:
 
   double meanVelocity(const Evaluation& evaluation) const override
   {
-    return getOwn<DESCENT>(evaluation) / bodyLength() / settings_.lifetime;
+    return getOwn<DESCENT>(evaluation) / bodyLength(settings_) / settings_.lifetime;
   }
 
   std::string describe(const Evaluation& evaluation) const override
@@ -197,35 +197,6 @@ public:
   }
 
 private:
-  double bodyLength() const { return 2.0 * settings_.abdomen_radius; }
-
-  Evaluation toEvaluation(const QuadrupedEvaluation& life) const
-  {
-    Evaluation evaluation;
-    if (!life.valid)
-    {
-      evaluation.divergence = Divergence{ life.failed_step.value_or(1), 0, Evaluation::NONE };
-      return evaluation;
-    }
-    evaluation.valid = true;
-    evaluation.fitness = life.fitness;
-    evaluation.turns = life.turns;
-    evaluation.airborne_fraction = life.airborne_fraction;
-    evaluation.body_measures.resize(BODY_MEASURES);
-    evaluation.body_measures[DESCENT] = life.descent;
-    evaluation.body_measures[SIDEWAYS] = life.sideways;
-    evaluation.body_measures[ABDOMEN_CONTACT] = life.abdomen_contact;
-    evaluation.body_measures[LEG_CONTACT] = life.leg_contact;
-    evaluation.body_measures[FIRST_ABDOMEN_CONTACT] = life.first_abdomen_contact_s.value_or(Evaluation::NONE);
-    evaluation.body_measures[FIRST_ROLL] = life.first_roll_s.value_or(Evaluation::NONE);
-    for (const double velocity : life.velocity)
-    {
-      evaluation.velocity_body_lengths_per_s.push_back(velocity / bodyLength());
-    }
-    evaluation.state_hash = life.state_hash;
-    return evaluation;
-  }
-
   const RigidBodySettings settings_;
   std::vector<Measure> measures_;
   std::vector<Measure> failure_measures_;
@@ -262,6 +233,39 @@ uint64_t RigidBody::engineFingerprint(InstructionSet instruction_set) const
   return hash.finish();
 }
 }  // namespace
+
+QuadrupedProgram toQuadruped(const DevelopmentalProgram& program)
+{
+  return { arrayOf<LEG_COUNT>(program.morphology_initial), arrayOf<LEG_COUNT>(program.morphology_final),
+           arrayOf<SYNAPSE_COUNT>(program.control_initial), arrayOf<SYNAPSE_COUNT>(program.control_final) };
+}
+
+Evaluation toEvaluation(const QuadrupedEvaluation& life, const RigidBodySettings& settings)
+{
+  Evaluation evaluation;
+  if (!life.valid)
+  {
+    evaluation.divergence = Divergence{ life.failed_step.value_or(1), 0, Evaluation::NONE };
+    return evaluation;
+  }
+  evaluation.valid = true;
+  evaluation.fitness = life.fitness;
+  evaluation.turns = life.turns;
+  evaluation.airborne_fraction = life.airborne_fraction;
+  evaluation.body_measures.resize(BODY_MEASURES);
+  evaluation.body_measures[DESCENT] = life.descent;
+  evaluation.body_measures[SIDEWAYS] = life.sideways;
+  evaluation.body_measures[ABDOMEN_CONTACT] = life.abdomen_contact;
+  evaluation.body_measures[LEG_CONTACT] = life.leg_contact;
+  evaluation.body_measures[FIRST_ABDOMEN_CONTACT] = life.first_abdomen_contact_s.value_or(Evaluation::NONE);
+  evaluation.body_measures[FIRST_ROLL] = life.first_roll_s.value_or(Evaluation::NONE);
+  for (const double velocity : life.velocity)
+  {
+    evaluation.velocity_body_lengths_per_s.push_back(velocity / bodyLength(settings));
+  }
+  evaluation.state_hash = life.state_hash;
+  return evaluation;
+}
 
 std::shared_ptr<const Body> makeRigidBody(const RigidBodySettings& settings)
 {

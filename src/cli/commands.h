@@ -33,6 +33,7 @@ void addManualCommand(CLI::App& tool, Command& command);
 void addParametersCommand(CLI::App& tool, Command& command);
 void addRenderCommand(CLI::App& tool, Command& command);
 void addOverviewCommand(CLI::App& tool, Command& command);
+void addGaitMapCommand(CLI::App& tool, Command& command);
 void addFiguresCommand(CLI::App& tool, Command& command);
 void addReportCommand(CLI::App& tool, Command& command);
 }  // namespace devo_evo

@@ -77,6 +77,7 @@ int run(int argc, char** argv)
   addParametersCommand(tool, command);
   addRenderCommand(tool, command);
   addOverviewCommand(tool, command);
+  addGaitMapCommand(tool, command);
   addFiguresCommand(tool, command);
   addReportCommand(tool, command);
   try

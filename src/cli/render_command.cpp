@@ -25,7 +25,7 @@ struct RenderArguments
   int64_t count = 0;
   double time = 0.0;
   int poses = 9;
-  std::optional<int> voxel;
+  std::optional<int> part;
 };
 
 void requireFilm(const std::string& path)
@@ -125,7 +125,7 @@ int render(const RenderArguments& arguments, const std::string& path, const Pict
   const ShownRobot robot = chooseRobot(arguments.source, arguments.individual, parameters);
   if (arguments.strip)
   {
-    return writePicture(stripOfLife(robot, arguments.poses, arguments.voxel, format.width, format.colouring), path);
+    return writePicture(stripOfLife(robot, arguments.poses, arguments.part, format.width, format.colouring), path);
   }
   if (isFilmPath(path))
   {
@@ -156,7 +156,8 @@ void addRenderCommand(CLI::App& tool, Command& command)
           ->allow_extra_args(false);
   CLI::Option* strip = app->add_flag("--strip", arguments->strip, "one life in one picture, as in the paper's Fig. 1");
   app->add_option("--poses", arguments->poses, "of a strip, at equal times")->needs(strip)->capture_default_str();
-  app->add_option("--voxel", arguments->voxel, "whose length a strip shows [the visible one that develops most]")
+  app->add_option("--part,--voxel", arguments->part,
+                  "voxel, or leg from 1, whose length a strip shows [the visible one that develops most]")
       ->needs(strip);
   CLI::Option* gaits =
       app->add_flag("--gaits", arguments->gaits, "four rows of ancestors of champions, as in the paper's Fig. 2");
@@ -165,7 +166,7 @@ void addRenderCommand(CLI::App& tool, Command& command)
   beside->excludes(strip)->excludes(gaits);
   strip->excludes(gaits);
   const PictureOptions picture(*app);
-  const ParameterOptions options(*app, { "body", "physics" });
+  const ParameterOptions options(*app, { "body", "physics", "rigid body" });
   app->footer(
       "Examples:\n"
       "  devo_evo render results/first --out best.mp4\n"

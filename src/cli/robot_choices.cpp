@@ -14,7 +14,7 @@ ShownRobot chooseRobot(const std::string& source, const std::string& which, cons
 {
   if (!isExperiment(source))
   {
-    return readRobotFile(source, which, softSettings(parameters.experiment.body, "pictures"));
+    return readRobotFile(source, which, parameters.experiment.body);
   }
   const RobotChoice choice = parseRobotChoice(which.empty() ? "best" : which);
   std::optional<ShownRobot> robot = findRobot(*openArchiveForReading(source), choice);

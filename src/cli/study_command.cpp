@@ -47,8 +47,8 @@ int study(Parameters parameters, bool only_estimate)
   TerminalStudyObserver observer;
   observer.say("study of scale " + toString(parameters.study.scale) + " in " + output + "\n" + estimate);
   noteInterruptions();
-  const auto make_farm = [&](const SoftBodySettings& body)
-  { return makeLocalFarm(makeSoftBody(body), threads, instruction_set); };
+  const auto make_farm = [&](const BodySettings& body)
+  { return makeLocalFarm(makeBody(body), threads, instruction_set); };
   const RunOutcome outcome =
       runStudy(parameters, localProvenance(toString(instruction_set), *makeBody(parameters.experiment.body)), make_farm,
                observer);

@@ -50,15 +50,18 @@ class Study:
             self._archives["."] = archive
             self.parameters = archive.parameters
             selection = archive.parameters.get("selection", "afpo")
-            part = "main" if selection == "afpo" and archive.parameters["mutation_rate"] == "self_adaptive" else "other"
+            mutation_rate = archive.parameters.get("mutation_rate", "self_adaptive")  # rigid bodies have none
+            part = "other"
+            if selection == "afpo" and mutation_rate == "self_adaptive":
+                part = "rigid" if archive.body == "rigid" else "main"
             self.arms = pd.DataFrame(
                 [
                     {
                         "arm": ".",
                         "part": part,
                         "treatment": archive.treatment,
-                        "profile": archive.profile,
-                        "mutation_rate": archive.parameters["mutation_rate"],
+                        "profile": archive.parameters.get("profile", ""),
+                        "mutation_rate": mutation_rate,
                         "selection": selection,
                     }
                 ]
@@ -102,6 +105,10 @@ class Study:
     def main(self, treatment):
         """The archive of the main experiment of a treatment, with at least one finished generation; or None."""
         return self._found(self.arms[(self.arms["part"] == "main") & (self.arms["treatment"] == treatment)])
+
+    def rigid(self, treatment):
+        """The same of rigid bodies."""
+        return self._found(self.arms[(self.arms["part"] == "rigid") & (self.arms["treatment"] == treatment)])
 
     def main_arms(self):
         """Archives beside each other in Fig. 3A: {"evo": ..., "evo_devo": ..., "evo random search": ..., ...}."""

@@ -17,6 +17,8 @@ void makeQuick(Parameters& parameters)
   study.baseline_generations = 20;
   study.sweep_trials = 2;
   study.sweep_generations = 10;
+  study.rigid_trials = 2;
+  study.rigid_generations = 2;
   study.walks = 3;
   study.walk_steps = 20;
   study.neutral_lineages = 20;
@@ -32,6 +34,8 @@ void makeOvernight(Parameters& parameters)
   study.baseline_generations = 500;
   study.sweep_trials = 2;
   study.sweep_generations = 150;
+  study.rigid_trials = 8;
+  study.rigid_generations = 100;
   study.walks = 3;
   study.walk_steps = 100;
 }

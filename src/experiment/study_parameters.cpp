@@ -105,6 +105,8 @@ std::vector<ParameterSpec> studySpecs()
     count("sweep_trials", &S::sweep_trials, 1, 10000, "Trials at each fixed mutation rate."),
     count("sweep_generations", &S::sweep_generations, 0, 1000000, "Generations of each trial of the sweep."),
     list("sweep_48ths", &S::sweep_48ths, 0, 48, true, "Fixed mutation rates of the sweep, in 48ths."),
+    count("rigid_trials", &S::rigid_trials, 1, 10000, "Trials of each treatment with rigid bodies."),
+    count("rigid_generations", &S::rigid_generations, 0, 1000000, "Generations of each trial with rigid bodies."),
     count("walks", &S::walks, 1, 10000, "Random walks of each kind from each run champion."),
     count("walk_steps", &S::walk_steps, 1, 1000000, "Steps of each random walk."),
     choice("walk_removed", &S::walk_removed,

@@ -27,6 +27,7 @@ constexpr NamedPart PARTS[] = {
   { StudyPart::IMPACT, "impact" },
   { StudyPart::BASELINES, "baselines" },
   { StudyPart::SWEEP, "sweep" },
+  { StudyPart::RIGID, "rigid" },
 };
 
 StudyPart parsePart(const std::string& name)

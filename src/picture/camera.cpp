@@ -8,17 +8,20 @@ namespace devo_evo
 {
 namespace
 {
+/// @return the scene's frame to the camera's.
 Eigen::Matrix4d viewOf(const Camera& camera)
 {
+  const Eigen::Matrix3d to_level = Eigen::AngleAxisd(-camera.slope, Eigen::Vector3d::UnitX()).toRotationMatrix();
   const Eigen::Vector3d backwards(std::cos(camera.elevation) * std::cos(camera.azimuth),
                                   std::cos(camera.elevation) * std::sin(camera.azimuth), std::sin(camera.elevation));
   const Eigen::Vector3d right(-std::sin(camera.azimuth), std::cos(camera.azimuth), 0.0);
-  const Eigen::Vector3d eye = camera.target + camera.distance * backwards;
+  const Eigen::Vector3d eye = to_level * camera.target + camera.distance * backwards;
   Eigen::Matrix4d view = Eigen::Matrix4d::Identity();
   view.block<1, 3>(0, 0) = right;
   view.block<1, 3>(1, 0) = backwards.cross(right);
   view.block<1, 3>(2, 0) = backwards;
   view.block<3, 1>(0, 3) = -view.block<3, 3>(0, 0) * eye;
+  view.block<3, 3>(0, 0) *= to_level;
   return view;
 }
 }  // namespace

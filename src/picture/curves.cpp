@@ -37,16 +37,17 @@ void drawLineageCurves(Canvas& canvas, const Lineage& lineage, size_t present, d
 {
   const auto generation = [&](size_t i) { return static_cast<double>(lineage.individuals[i].individual.generation); };
   const AxisRange generations = generationsOf(lineage.individuals);
-  const double row = height / static_cast<double>(lineageCurves().size());
-  for (size_t i = 0; i < lineageCurves().size(); ++i)
+  const LineageCurves curves = lineageCurves(*makeBody(lineage.settings.body));
+  const double row = height / static_cast<double>(curves.size());
+  for (size_t i = 0; i < curves.size(); ++i)
   {
-    const LineageCurve& curve = lineageCurves()[i];
+    const LineageCurve& curve = curves[i];
     const AxisRange values = rangeOf(curve, lineage.individuals);
     const PlotArea area{ x + 44 * scale,     y + static_cast<double>(i) * row + 24 * scale,
                          width - 60 * scale, row - 74 * scale,
                          generations.low,    generations.high,
                          values.low,         values.high };
-    drawAxes(canvas, area, curve.title, i + 1 == lineageCurves().size() ? "generation of birth" : "", scale);
+    drawAxes(canvas, area, curve.title, i + 1 == curves.size() ? "generation of birth" : "", scale);
     std::vector<PicturePoint> points;
     for (size_t k = 0; k < lineage.individuals.size(); ++k)
     {

@@ -103,7 +103,9 @@ Image curvePicture(const Lineage& lineage, const std::vector<size_t>& positions,
                   21 * scale, inks::DARK, Anchor::LEFT, true);
   if (present.individual.evaluation)
   {
-    canvas.drawText(24 * scale, 76 * scale, behaviourText(*present.individual.evaluation), 13 * scale, inks::GREY);
+    canvas.drawText(24 * scale, 76 * scale,
+                    behaviourText(*present.individual.evaluation, *makeBody(lineage.settings.body)), 13 * scale,
+                    inks::GREY);
   }
   drawLineageCurves(canvas, lineage, positions[step], 16 * scale, 108 * scale, width - 24 * scale, height - 120 * scale,
                     scale);
@@ -131,10 +133,11 @@ void PictureFormat::validate() const
 Image pictureOfLife(const ShownRobot& robot, double time_since_birth, const PictureFormat& format)
 {
   format.validate();
-  if (!(time_since_birth >= 0.0 && time_since_birth <= robot.body.lifetime))
+  const double lifetime = makeBody(robot.body)->lifetime();
+  if (!(time_since_birth >= 0.0 && time_since_birth <= lifetime))
   {
     throw InvalidInput("time is " + toText(time_since_birth) + "; it must be within the robot's life, 0 to " +
-                       toText(robot.body.lifetime) + " s");
+                       toText(lifetime) + " s");
   }
   ViewOptions view = viewOf(format, 1.0);
   LifeScene life(robot, view);
@@ -207,7 +210,7 @@ void filmLineage(const Archive& archive, const Lineage& lineage, const std::vect
   int64_t pictures = CountedFilm::stillPictures(format.pictures_per_s, title_s);
   for (size_t step = 0; step < positions.size(); ++step)
   {
-    pictures += picturesOfLife(softSettings(lineage.settings.body, "films"), viewOf(format, speed_of(step))) +
+    pictures += picturesOfLife(lineage.settings.body, viewOf(format, speed_of(step))) +
                 CountedFilm::stillPictures(format.pictures_per_s, END_STILL);
   }
   LifePainter painter(width, format.height, format.colouring);

@@ -106,7 +106,9 @@ Image gaitRows(const Archive& archive, int width, Colouring colouring)
   const int left = static_cast<int>(215 * scale), row_width = width - left;
   const int row_height = static_cast<int>(150 * scale), head = static_cast<int>(84 * scale);
   const std::vector<ArchivedIndividual> individuals = candidates(archive);
-  const SoftBodySettings body = softSettings(archive.settings().body, "rows of gaits");
+  const BodySettings settings = archive.settings().body;
+  const SoftBodySettings& body = softSettings(settings, "rows of gaits");
+  const std::shared_ptr<const Appearance> appearance = makeAppearance(settings);
   Image image(width, head + row_height * static_cast<int>(gaitRowKinds().size()));
   {
     Canvas canvas(image);
@@ -124,8 +126,9 @@ Image gaitRows(const Archive& archive, int width, Colouring colouring)
       choice.trial = best->individual.trial;
       choice.id = best->individual.id;
       times = row.times(body);
-      image.place(paintPoses(body, framesAt(*findRobot(archive, choice), times), colouring, row_width, row_height),
-                  left, y);
+      image.place(
+          paintPoses(*appearance, framesAt(*findRobot(archive, choice), times), colouring, row_width, row_height), left,
+          y);
     }
     Canvas canvas(image);
     const double x = 24 * scale;
@@ -147,7 +150,7 @@ Image gaitRows(const Archive& archive, int width, Colouring colouring)
   Canvas canvas(image);
   canvas.drawText(24 * scale, 36 * scale, "Evolved behaviour", 20 * scale, inks::DARK, Anchor::LEFT, true);
   canvas.drawText(24 * scale, 58 * scale, "each row moves from left to right", 14 * scale, inks::GREY);
-  drawColourLegend(canvas, width - 24 * scale, 30 * scale, scale, colouring, body.voxel_size);
+  drawColourLegend(canvas, width - 24 * scale, 30 * scale, scale, colouring, appearance->colourBar(colouring));
   return image;
 }
 }  // namespace devo_evo

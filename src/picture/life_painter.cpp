@@ -9,17 +9,18 @@ namespace devo_evo
 Image LifePainter::paint(const LifeScene& life, const std::string& title)
 {
   Image image = painter_.paint(life.scene(), life.camera());
-  const SoftBodySettings& body = life.robot().body;
+  const Surroundings surroundings = life.appearance().surroundings();
   Readings readings = life.readings();
   if (!title.empty())
   {
     readings.name = title;
   }
   Canvas canvas(image);
-  drawFloorMarks(canvas, image, floorMarks(life.birthplace(), life.camera(), bodyLength(body), bodySize(body)),
+  drawFloorMarks(canvas, image,
+                 floorMarks(life.birthplace(), life.camera(), surroundings.body_length, surroundings.body_size),
                  life.camera());
   drawReadings(canvas, image, readings);
-  drawColourLegend(canvas, image, colouring_, body.voxel_size);
+  drawColourLegend(canvas, image, colouring_, life.appearance().colourBar(colouring_));
   return image;
 }
 
@@ -31,8 +32,8 @@ ViewOptions viewOf(const PictureFormat& format, double speed)
   return view;
 }
 
-int64_t picturesOfLife(const SoftBodySettings& body, const ViewOptions& view)
+int64_t picturesOfLife(const BodySettings& body, const ViewOptions& view)
 {
-  return 1 + static_cast<int64_t>(std::ceil(body.lifetime / view.interval - 1e-9));
+  return 1 + static_cast<int64_t>(std::ceil(makeBody(body)->lifetime() / view.interval - 1e-9));
 }
 }  // namespace devo_evo

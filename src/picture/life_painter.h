@@ -27,5 +27,5 @@ private:
 ViewOptions viewOf(const PictureFormat& format, double speed);
 
 /// Number of pictures that a whole life takes.
-int64_t picturesOfLife(const SoftBodySettings& body, const ViewOptions& view);
+int64_t picturesOfLife(const BodySettings& body, const ViewOptions& view);
 }  // namespace devo_evo

@@ -60,10 +60,25 @@ std::string descriptionOf(const ShownRobot& robot)
          "  \u00b7  born in generation " + toText(descent.generation) + "  \u00b7  age " + toText(descent.age);
 }
 
+Viewpoint viewpointFor(const Surroundings& surroundings)
+{
+  Viewpoint viewpoint;
+  if (surroundings.light)
+  {
+    viewpoint.azimuth = -1.15;
+    viewpoint.elevation = 0.16;
+    viewpoint.distance = 6.5;
+    viewpoint.field_of_view = 0.55;
+  }
+  return viewpoint;
+}
+
 LifeScene::LifeScene(const ShownRobot& robot, const ViewOptions& options)
   : robot_(robot)
   , options_(options)
-  , mesh_(robot.body)
+  , appearance_(makeAppearance(robot.body))
+  , surroundings_(appearance_->surroundings())
+  , lifetime_(makeBody(robot.body)->lifetime())
   , playback_(robot.body, robot.program)
   , following_(options.interval, FOLLOWING_TIME)
 {
@@ -72,10 +87,13 @@ LifeScene::LifeScene(const ShownRobot& robot, const ViewOptions& options)
     throw PictureError("robot " + robot.name + ": its simulation diverges before there is anything to be seen");
   }
   frame_ = playback_.frame();
-  birthplace_ = frame_.center_of_mass;
-  camera_.distance = options.distance * bodySize(robot.body);
-  camera_.azimuth = options.azimuth;
-  camera_.elevation = options.elevation;
+  birthplace_ = place();
+  camera_.slope = surroundings_.slope;
+  const Viewpoint viewpoint = options.viewpoint.value_or(viewpointFor(surroundings_));
+  camera_.distance = viewpoint.distance * surroundings_.body_size;
+  camera_.azimuth = viewpoint.azimuth;
+  camera_.elevation = viewpoint.elevation;
+  camera_.field_of_view = viewpoint.field_of_view;
   take();
 }
 
@@ -86,7 +104,7 @@ bool LifeScene::next()
     return false;
   }
   next_time_ += options_.interval;
-  playback_.advanceTo(next_time_ < robot_.body.lifetime ? next_time_ : END);
+  playback_.advanceTo(next_time_ < lifetime_ ? next_time_ : END);
   if (playback_.diverged())
   {
     return false;
@@ -103,21 +121,22 @@ bool LifeScene::next()
 
 void LifeScene::take()
 {
-  trace_.add(frame_.time_since_birth, frame_.center_of_mass);
-  const Eigen::Vector3d followed = following_.follow(frame_.center_of_mass);
-  camera_.target = Eigen::Vector3d(followed.x(), followed.y(), 0.35 * bodySize(robot_.body));
+  trace_.add(frame_.time_since_birth, place());
+  const Eigen::Vector3d followed = following_.follow(place());
+  camera_.target = Eigen::Vector3d(followed.x(), followed.y(), 0.35 * surroundings_.body_size);
 }
 
 Scene LifeScene::scene() const
 {
   Scene scene;
-  scene.body_size = static_cast<float>(bodySize(robot_.body));
-  scene.floor.line_distance = static_cast<float>(bodyLength(robot_.body));
+  scene.body_size = static_cast<float>(surroundings_.body_size);
+  scene.floor.line_distance = static_cast<float>(surroundings_.body_length);
   scene.floor.line_origin = onFloor(birthplace_);
   scene.floor.fade_start = 5.0f * scene.body_size;
-  scene.floor.fade_end = 16.0f * scene.body_size;
-  scene.bodies.push_back(robotTriangles(mesh_, frame_, options_.colouring, robot_.body.voxel_size));
-  addFifthLines(scene, birthplace_, camera_, bodyLength(robot_.body));
+  scene.floor.fade_end = (surroundings_.light ? 40.0f : 16.0f) * scene.body_size;
+  scene.bodies = robotTriangles(*appearance_, frame_, options_.colouring);
+  scene.scenery = lightTriangles(surroundings_);
+  addFifthLines(scene, birthplace_, camera_, surroundings_.body_length);
 
   FloorLine path;
   path.width = 0.06f * scene.body_size;
@@ -126,7 +145,7 @@ Scene LifeScene::scene() const
   const double reach = scene.floor.fade_end;
   for (const Eigen::Vector3d& place : trace_.path())
   {
-    if ((place - frame_.center_of_mass).norm() < reach)
+    if ((place - this->place()).norm() < reach)
     {
       path.points.push_back(onFloor(place));
     }
@@ -138,7 +157,7 @@ Scene LifeScene::scene() const
   if (velocity.norm() > 0.05f * scene.body_size)
   {
     FloorLine arrow;
-    const Eigen::Vector2f start = onFloor(frame_.center_of_mass) + 0.85f * scene.body_size * velocity.normalized();
+    const Eigen::Vector2f start = onFloor(place()) + 0.85f * scene.body_size * velocity.normalized();
     arrow.points = { start, start + 0.35f * velocity };
     arrow.width = 0.08f * scene.body_size;
     arrow.colour = Eigen::Vector3f(0.84f, 0.30f, 0.16f);
@@ -155,9 +174,14 @@ Readings LifeScene::readings() const
   readings.name = "Robot " + robot_.name;
   readings.description = descriptionOf(robot_);
   readings.time_since_birth = frame_.time_since_birth;
-  readings.lifetime = robot_.body.lifetime;
-  readings.travelled = (frame_.center_of_mass.y() - birthplace_.y()) / bodyLength(robot_.body);
-  readings.velocity = trace_.velocity().y() / bodyLength(robot_.body);
+  readings.lifetime = lifetime_;
+  readings.travelled = (place().y() - birthplace_.y()) / surroundings_.body_length;
+  readings.velocity = trace_.velocity().y() / surroundings_.body_length;
+  if (surroundings_.light)
+  {
+    readings.to_light = (*surroundings_.light - frame_.center_of_mass).norm();
+    readings.slope = surroundings_.slope;
+  }
   readings.velocities = evaluation().velocity_body_lengths_per_s;
   return readings;
 }

@@ -17,7 +17,7 @@ double fitnessOf(const ArchivedIndividual& archived)
 }
 
 constexpr double ROLLER_TURNS = 1.0;        // full turns from which on a robot is said to roll
-constexpr double SHUFFLER_FITNESS = 1.0;    // body lengths, below which it is said to shuffle
+constexpr double SHUFFLER_DISTANCE = 1.0;   // body lengths, below which it is said to shuffle
 constexpr double AIRBORNE_FRACTION = 0.05;  // of life, from which on it is said to leap
 }  // namespace
 
@@ -83,7 +83,7 @@ std::vector<size_t> stepsOfProgress(const Lineage& lineage, int64_t count)
   return positions;
 }
 
-std::string behaviourText(const Evaluation& evaluation)
+std::string behaviourText(const Evaluation& evaluation, const Body& body)
 {
   if (!evaluation.valid)
   {
@@ -98,7 +98,8 @@ std::string behaviourText(const Evaluation& evaluation)
            (std::abs(evaluation.turns) < 1.5 ? " time" : " times") +
            (fall.empty() ? "" : ", first on its back " + fall);
   }
-  const std::string gait = evaluation.fitness < SHUFFLER_FITNESS               ? "shuffles"
+  const double travelled = body.meanVelocity(evaluation) * body.lifetime();
+  const std::string gait = travelled < SHUFFLER_DISTANCE                       ? "shuffles"
                            : evaluation.airborne_fraction >= AIRBORNE_FRACTION ? "gallops"
                                                                                : "walks";
   return gait + (fall.empty() ? "" : " and falls over " + fall);

@@ -25,7 +25,8 @@ double scaleOf(const Image& image)
 std::string signedText(double number, int decimals)
 {
   const std::string text = fixedText(number, decimals);
-  return text.rfind('-', 0) == 0 ? "\u2212" + text.substr(1) : text;
+  const bool zero = text.find_first_of("123456789") == std::string::npos;
+  return text.rfind('-', 0) == 0 ? (zero ? "" : "\u2212") + text.substr(1) : text;
 }
 
 /// Bars of the mean velocities of half seconds, along a line that is the whole life.
@@ -81,6 +82,13 @@ void drawReadings(Canvas& canvas, const Image& image, const Readings& readings)
   const double scale = scaleOf(image), margin = 32 * scale;
   canvas.drawText(margin, 50 * scale, readings.name, 27 * scale, inks::DARK, Anchor::LEFT, true);
   canvas.drawText(margin, 76 * scale, readings.description, 15 * scale, inks::GREY);
+  if (readings.to_light)
+  {
+    canvas.drawText(margin, 100 * scale,
+                    fixedText(*readings.to_light, 1) + " m from the light, on a slope of " +
+                        fixedText(readings.slope * 57.29577951308232, 1) + "\u00b0",
+                    15 * scale, inks::GREY);
+  }
 
   // Side by side where there is room, else the numbers above the line of time.
   const double numbers_width = 590 * scale, width = image.width() - 2 * margin;
@@ -98,15 +106,14 @@ void drawReadings(Canvas& canvas, const Image& image, const Readings& readings)
   drawTimeLine(canvas, readings, x, line + 12 * scale, line_width, scale);
 }
 
-void drawColourLegend(Canvas& canvas, const Image& image, Colouring colouring, double voxel_size)
+void drawColourLegend(Canvas& canvas, const Image& image, Colouring colouring, const ColourBar& bar)
 {
   const double scale = scaleOf(image);
   const bool beneath_title = image.width() < 840 * scale;
-  drawColourLegend(canvas, image.width() - 32 * scale, (beneath_title ? 118 : 58) * scale, scale, colouring,
-                   voxel_size);
+  drawColourLegend(canvas, image.width() - 32 * scale, (beneath_title ? 118 : 58) * scale, scale, colouring, bar);
 }
 
-void drawColourLegend(Canvas& canvas, double right, double y, double scale, Colouring colouring, double voxel_size)
+void drawColourLegend(Canvas& canvas, double right, double y, double scale, Colouring colouring, const ColourBar& bar)
 {
   const double width = 190 * scale, height = 10 * scale, x = right - width;
   std::vector<Ink> inks_of_scale;
@@ -117,29 +124,8 @@ void drawColourLegend(Canvas& canvas, double right, double y, double scale, Colo
     inks_of_scale.push_back(inkOf(colouring == Colouring::PHASE ? hue(value) : jet(value)));
   }
   canvas.fillWithGradient(x, y, width, height, inks_of_scale);
-  std::string title, low, high;
-  const double L = 100 * voxel_size;  // [cm]
-  switch (colouring)
-  {
-    case Colouring::RESTING_LENGTH:
-    case Colouring::PRESENT_LENGTH:
-      title = colouring == Colouring::RESTING_LENGTH ? "resting length of voxels" : "present length of voxels";
-      low = fixedText(0.15 * L, 2) + " cm";
-      high = fixedText(1.65 * L, 2) + " cm";
-      break;
-    case Colouring::REMAINING_DEVELOPMENT:
-      title = "development to come";
-      low = "\u2212" + fixedText(0.75 * L, 2) + " cm";
-      high = "+" + fixedText(0.75 * L, 2) + " cm";
-      break;
-    case Colouring::PHASE:
-      title = "phase of actuation";
-      low = "\u2212\u00bd cycle";
-      high = "+\u00bd cycle";
-      break;
-  }
-  canvas.drawText(x + width, y - 10 * scale, title, 14 * scale, inks::DARK, Anchor::RIGHT);
-  canvas.drawText(x, y + height + 17 * scale, low, 12 * scale, inks::GREY);
-  canvas.drawText(x + width, y + height + 17 * scale, high, 12 * scale, inks::GREY, Anchor::RIGHT);
+  canvas.drawText(x + width, y - 10 * scale, bar.title, 14 * scale, inks::DARK, Anchor::RIGHT);
+  canvas.drawText(x, y + height + 17 * scale, bar.low, 12 * scale, inks::GREY);
+  canvas.drawText(x + width, y + height + 17 * scale, bar.high, 12 * scale, inks::GREY, Anchor::RIGHT);
 }
 }  // namespace devo_evo

@@ -25,8 +25,8 @@ void drawReadings(Canvas& canvas, const Image& image, const Readings& readings);
 
 /// What the colours mean. @param right end of the scale, its upper edge at y. @param scale 1 for a picture 720 pixels
 /// high.
-void drawColourLegend(Canvas& canvas, double right, double y, double scale, Colouring colouring, double voxel_size);
+void drawColourLegend(Canvas& canvas, double right, double y, double scale, Colouring colouring, const ColourBar& bar);
 
 /// The same at the upper right of a picture.
-void drawColourLegend(Canvas& canvas, const Image& image, Colouring colouring, double voxel_size);
+void drawColourLegend(Canvas& canvas, const Image& image, Colouring colouring, const ColourBar& bar);
 }  // namespace devo_evo

@@ -8,10 +8,11 @@
 
 namespace devo_evo
 {
-Image paintPoses(const SoftBodySettings& body, const std::vector<RobotFrame>& frames, Colouring colouring, int width,
+Image paintPoses(const Appearance& appearance, const std::vector<RobotFrame>& frames, Colouring colouring, int width,
                  int height)
 {
-  const double size = bodySize(body), count = static_cast<double>(frames.size());
+  const Surroundings surroundings = appearance.surroundings();
+  const double size = surroundings.body_size, count = static_cast<double>(frames.size());
   const double aspect = static_cast<double>(width) / height;
   Camera camera;
   camera.field_of_view = 0.0;
@@ -24,7 +25,6 @@ Image paintPoses(const SoftBodySettings& body, const std::vector<RobotFrame>& fr
   camera.target = Eigen::Vector3d(0.0, 0.0, 0.36 * camera.height);
   const double spacing = camera.height * aspect / count;
 
-  const RobotMesh mesh(body);
   const Eigen::Vector3f right(static_cast<float>(-std::sin(camera.azimuth)),
                               static_cast<float>(std::cos(camera.azimuth)), 0.0f);
   Scene scene;
@@ -35,15 +35,17 @@ Image paintPoses(const SoftBodySettings& body, const std::vector<RobotFrame>& fr
   scene.floor.fade_end = 2.0f * scene.floor.fade_start;
   for (size_t i = 0; i < frames.size(); ++i)
   {
-    ColouredTriangles triangles = robotTriangles(mesh, frames[i], colouring, body.voxel_size);
     const double place = spacing * (static_cast<double>(i) + 0.5 - 0.5 * count);
-    Eigen::Vector3f center = frames[i].center_of_mass.cast<float>();
+    Eigen::Vector3f center = surroundings.onFloor(frames[i].center_of_mass).cast<float>();
     center.z() = 0.0f;
-    for (Eigen::Vector3f& corner : triangles.corners)
+    for (ColouredTriangles& triangles : robotTriangles(appearance, frames[i], colouring))
     {
-      corner += static_cast<float>(place) * right - center;
+      for (Eigen::Vector3f& corner : triangles.corners)
+      {
+        corner += static_cast<float>(place) * right - center;
+      }
+      scene.bodies.push_back(std::move(triangles));
     }
-    scene.bodies.push_back(std::move(triangles));
   }
   return ScenePainter(width, height).paint(scene, camera);
 }

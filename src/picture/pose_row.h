@@ -1,7 +1,7 @@
 #pragma once
 
 #include "devo_evo/picture/image.h"
-#include "devo_evo/render/colouring.h"
+#include "devo_evo/render/appearance.h"
 #include "devo_evo/render/shown_robot.h"
 
 #include <string>
@@ -11,7 +11,7 @@ namespace devo_evo
 {
 /// One robot at several times of its life, side by side from left to right, each turned as it is, on one floor.
 /// @param frames at least one. @param width, height of the picture [pixels].
-Image paintPoses(const SoftBodySettings& body, const std::vector<RobotFrame>& frames, Colouring colouring, int width,
+Image paintPoses(const Appearance& appearance, const std::vector<RobotFrame>& frames, Colouring colouring, int width,
                  int height);
 
 /// Frames of a life at given times, ascending [s since birth]. @throw PictureError if the simulation diverges before.

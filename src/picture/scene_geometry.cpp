@@ -27,15 +27,21 @@ std::array<bool, 3> sharedCorners(Corners a, Corners b)
   return shared;
 }
 
+void addCorner(std::vector<float>& vertices, const Eigen::Vector3f& place, const Eigen::Vector3f& normal,
+               const Eigen::Vector3f& colour)
+{
+  for (const Eigen::Vector3f& vector : { place, normal, colour })
+  {
+    vertices.insert(vertices.end(), { vector.x(), vector.y(), vector.z() });
+  }
+}
+
 void addTriangle(std::vector<float>& vertices, Corners corners, const Eigen::Vector3f* colours,
                  const Eigen::Vector3f& normal, const std::array<bool, 3>& shared, bool paired)
 {
   for (size_t corner = 0; corner < 3; ++corner)
   {
-    for (const Eigen::Vector3f& vector : { corners[corner], normal, colours[corner] })
-    {
-      vertices.insert(vertices.end(), { vector.x(), vector.y(), vector.z() });
-    }
+    addCorner(vertices, corners[corner], normal, colours[corner]);
     for (size_t edge = 0; edge < 3; ++edge)  // the edge opposite to corner `edge`
     {
       const bool inner = paired && !shared[edge];
@@ -44,7 +50,16 @@ void addTriangle(std::vector<float>& vertices, Corners corners, const Eigen::Vec
   }
 }
 
-void addBody(std::vector<float>& vertices, const ColouredTriangles& body)
+void addSmoothBody(std::vector<float>& vertices, const ColouredTriangles& body)
+{
+  for (size_t corner = 0; corner < body.corners.size(); ++corner)
+  {
+    addCorner(vertices, body.corners[corner], body.normals[corner], body.colours[corner]);
+    vertices.insert(vertices.end(), { 1.0f, 1.0f, 1.0f });
+  }
+}
+
+void addFlatBody(std::vector<float>& vertices, const ColouredTriangles& body)
 {
   const size_t triangles = body.corners.size() / 3;
   for (size_t i = 0; i < triangles;)
@@ -166,7 +181,7 @@ std::vector<float> bodyVertices(const std::vector<ColouredTriangles>& bodies)
   for (const ColouredTriangles& body : bodies)
   {
     vertices.reserve(vertices.size() + floats_per_corner * body.corners.size());
-    addBody(vertices, body);
+    body.normals.empty() ? addFlatBody(vertices, body) : addSmoothBody(vertices, body);
   }
   return vertices;
 }

@@ -8,8 +8,8 @@ namespace devo_evo
 {
 // Scenes as OpenGL takes them: rows of floats.
 
-/// Per corner: position, normal of its face, colour, and distances from the three edges of its triangle: 1 at the
-/// opposite corner, 0 on the edge; 1 all over for an edge that is no outline.
+/// Per corner: position, normal of its face or its own, colour, and distances from the three edges of its triangle: 1
+/// at the opposite corner, 0 on the edge; 1 all over for an edge that is no outline.
 std::vector<float> bodyVertices(const std::vector<ColouredTriangles>& bodies);
 
 /// Triangles. Per corner: x, y, colour, opacity, and distances from the three edges at which the line must look smooth,
@@ -31,8 +31,8 @@ struct PictureArea
   int x = 0, y = 0, width = 0, height = 0;
 };
 
-/// Where the bodies are in a picture, with a margin for their outlines: everywhere, if one is behind the camera.
-/// @param projection world to clip coordinates.
+/// Where bodies are in a picture, with a margin for their outlines: everywhere, if one is behind the camera.
+/// @param projection the scene's frame to clip coordinates.
 PictureArea pictureArea(const std::vector<ColouredTriangles>& bodies, const Eigen::Matrix4f& projection, int width,
                         int height);
 

@@ -150,6 +150,7 @@ public:
   {
     context_.makeCurrent();
     bodies_.set(bodyVertices(scene.bodies));
+    scenery_.set(bodyVertices(scene.scenery));
     const ShadowArea area = shadowArea(scene.bodies, TO_LIGHT, ShadowTexture::MARGIN * scene.body_size);
     shadow_.update(bodies_, area, scene.body_size);
 
@@ -167,17 +168,24 @@ public:
     draw_floor();
 
     // Bodies need several samples a pixel to look smooth, which is slow: only where they are.
-    const PictureArea bodies = pictureArea(scene.bodies, matrix, width_, height_);
-    glEnable(GL_SCISSOR_TEST);
-    glScissor(bodies.x, bodies.y, bodies.width, bodies.height);
-    drawing_.bind();
-    glEnable(GL_DEPTH_TEST);
-    clear(scene.floor.background);
-    drawBodies(matrix, camera, scene.body_size);
-    draw_floor();
-    glDisable(GL_DEPTH_TEST);
-    glDisable(GL_SCISSOR_TEST);
-    drawing_.copyTo(picture_, bodies);
+    for (const std::vector<ColouredTriangles>* surfaces : { &scene.scenery, &scene.bodies })
+    {
+      if (surfaces->empty())
+      {
+        continue;
+      }
+      const PictureArea place = pictureArea(*surfaces, matrix, width_, height_);
+      glEnable(GL_SCISSOR_TEST);
+      glScissor(place.x, place.y, place.width, place.height);
+      drawing_.bind();
+      glEnable(GL_DEPTH_TEST);
+      clear(scene.floor.background);
+      drawBodies(matrix, camera, scene.body_size);
+      draw_floor();
+      glDisable(GL_DEPTH_TEST);
+      glDisable(GL_SCISSOR_TEST);
+      drawing_.copyTo(picture_, place);
+    }
     return readPicture();
   }
 
@@ -205,6 +213,7 @@ private:
     setUniform(body_program_.uniform("to_eye"), Eigen::Vector3f(to_eye.cast<float>()));
     glUniform1f(body_program_.uniform("body_size"), body_size);
     bodies_.draw(GL_TRIANGLES);
+    scenery_.draw(GL_TRIANGLES);
   }
 
   void drawFloor(const Eigen::Matrix4f& projection, const Floor& floor, const Camera& camera, const ShadowArea& area)
@@ -257,7 +266,7 @@ private:
   ShaderProgram body_program_{ BODY_VERTEX_SHADER, BODY_FRAGMENT_SHADER };
   ShaderProgram floor_program_{ FLOOR_VERTEX_SHADER, FLOOR_FRAGMENT_SHADER };
   ShaderProgram line_program_{ LINE_VERTEX_SHADER, LINE_FRAGMENT_SHADER };
-  VertexStream bodies_{ { 3, 3, 3, 3 } };
+  VertexStream bodies_{ { 3, 3, 3, 3 } }, scenery_{ { 3, 3, 3, 3 } };
   VertexStream floor_{ { 2 } };
   VertexStream floor_lines_{ { 2, 4, 3 } };
 };

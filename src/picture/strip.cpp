@@ -1,7 +1,6 @@
 #include "devo_evo/experiment/report_text.h"
 #include "devo_evo/picture/pictures.h"
 #include "devo_evo/soft_body/evaluation.h"
-#include "devo_evo/soft_body/lattice.h"
 #include "devo_evo/soft_body/text.h"
 #include "picture/curves.h"
 #include "picture/overlay.h"
@@ -16,32 +15,27 @@ namespace
 {
 constexpr double WINDOW = Evaluation::VELOCITY_WINDOW;
 
-/// The voxel at the body's surface whose resting length changes most from birth to the end of life.
-int mostDeveloping(const ShownRobot& robot)
+/// The part that develops most from birth to the end of life.
+size_t mostDeveloping(const Appearance& appearance, const RobotFrame& at_birth)
 {
-  const auto change = [&](int voxel)
-  {
-    const auto i = static_cast<size_t>(voxel);
-    return std::abs(robot.program.morphology_final[i] - robot.program.morphology_initial[i]);
-  };
-  const Lattice lattice(robot.body);
-  return *std::max_element(lattice.surface().begin(), lattice.surface().end(),
-                           [&](int a, int b) { return change(a) < change(b); });
+  const auto change = [&](size_t part) { return std::abs(at_birth.parts[part].remaining_development); };
+  const std::vector<size_t> parts = appearance.measuredParts();
+  return *std::max_element(parts.begin(), parts.end(), [&](size_t a, size_t b) { return change(a) < change(b); });
 }
 
 /// What the lower half of a strip shows.
 struct LifeTrace
 {
-  std::vector<double> time, present_length, resting_length;  ///< of one voxel [s, m, m]
+  std::vector<double> time, present_length, resting_length;  ///< of one part [s, m, m]
   std::vector<Eigen::Vector3d> window_velocity;              ///< means of consecutive windows [m/s]
 };
 
-LifeTrace traceOf(const ShownRobot& robot, int voxel)
+LifeTrace traceOf(const ShownRobot& robot, const Appearance& appearance, size_t part)
 {
   constexpr double samples_per_cycle = 40, most_samples = 20000;
-  const double lifetime = robot.body.lifetime;
+  const double lifetime = makeBody(robot.body)->lifetime();
   const double interval =
-      std::max(1.0 / (samples_per_cycle * std::max(robot.body.actuation_frequency, 0.1)), lifetime / most_samples);
+      std::max(1.0 / (samples_per_cycle * std::max(appearance.actuationFrequency(), 0.1)), lifetime / most_samples);
   LifePlayback playback(robot.body, robot.program);
   LifeTrace trace;
   Eigen::Vector3d window_start = Eigen::Vector3d::Zero();
@@ -49,7 +43,7 @@ LifeTrace traceOf(const ShownRobot& robot, int voxel)
   for (double time = 0.0; time <= lifetime && playback.advanceTo(time); time += interval)
   {
     const RobotFrame frame = playback.frame();
-    const ShownVoxel& shown = frame.voxels[static_cast<size_t>(voxel)];
+    const ShownPart& shown = frame.parts[part];
     trace.time.push_back(frame.time_since_birth);
     trace.present_length.push_back(shown.present_length);
     trace.resting_length.push_back(shown.resting_length);
@@ -111,27 +105,29 @@ void drawVelocities(Canvas& canvas, const PlotArea& area, const LifeTrace& trace
 }
 }  // namespace
 
-Image stripOfLife(const ShownRobot& robot, int poses, std::optional<int> voxel, int width, Colouring colouring)
+Image stripOfLife(const ShownRobot& robot, int poses, std::optional<int> part, int width, Colouring colouring)
 {
   constexpr int most_poses = 24;
   if (poses < 2 || poses > most_poses)
   {
     throw InvalidInput("poses is " + toText(poses) + "; it must be within 2 to " + toText(most_poses));
   }
-  if (voxel && (*voxel < 0 || *voxel >= robot.body.voxelCount()))
-  {
-    throw InvalidInput("voxel is " + toText(*voxel) + "; it must be within 0 to " +
-                       toText(robot.body.voxelCount() - 1));
-  }
-  const int shown = voxel ? *voxel : mostDeveloping(robot);
-  const double scale = width / 1280.0, lifetime = robot.body.lifetime;
+  const std::shared_ptr<const Appearance> appearance = makeAppearance(robot.body);
+  const double scale = width / 1280.0, lifetime = makeBody(robot.body)->lifetime();
   const std::vector<double> times = equalTimes(0.0, lifetime, poses);
   const int head = static_cast<int>(56 * scale), bodies = static_cast<int>(width / (0.95 * poses) + 26 * scale);
   const int height = head + bodies + static_cast<int>(312 * scale);
-  const LifeTrace trace = traceOf(robot, shown);
+  const std::vector<RobotFrame> frames = framesAt(robot, times);
+  const auto last_part = static_cast<int>(frames.front().parts.size()) - 1;
+  if (part && (*part < 0 || *part > last_part))
+  {
+    throw InvalidInput("part is " + toText(*part) + "; it must be within 0 to " + toText(last_part));
+  }
+  const size_t shown = part ? static_cast<size_t>(*part) : mostDeveloping(*appearance, frames.front());
+  const LifeTrace trace = traceOf(robot, *appearance, shown);
 
   Image image(width, height);
-  const Image row = paintPoses(robot.body, framesAt(robot, times), colouring, width, bodies);
+  const Image row = paintPoses(*appearance, frames, colouring, width, bodies);
   {
     Canvas canvas(image);
     canvas.fillRectangle(0, 0, width, height, { 1, 1, 1, 1 });
@@ -142,7 +138,7 @@ Image stripOfLife(const ShownRobot& robot, int poses, std::optional<int> voxel, 
   canvas.drawText(margin, 36 * scale, "Robot " + robot.name, 20 * scale, inks::DARK, Anchor::LEFT, true);
   canvas.drawText(margin + canvas.textWidth("Robot " + robot.name + "   ", 20 * scale, true), 36 * scale,
                   descriptionOf(robot), 14 * scale, inks::GREY);
-  drawColourLegend(canvas, width - 24 * scale, 32 * scale, scale, colouring, robot.body.voxel_size);
+  drawColourLegend(canvas, width - 24 * scale, 32 * scale, scale, colouring, appearance->colourBar(colouring));
 
   // Times are where the poses are.
   const double first = 0.5 * width / poses, last = width - first;
@@ -161,7 +157,7 @@ Image stripOfLife(const ShownRobot& robot, int poses, std::optional<int> voxel, 
   const PlotArea area{ first,    head + bodies + 62 * scale, last - first,         140 * scale, 0.0,
                        lifetime, 100 * (lowest - pad),       100 * (highest + pad) };
   canvas.drawText(first, area.y - 14 * scale,
-                  "Length of voxel " + toText(shown) + " [cm]: growth (black) and actuation (blue)", 13 * scale,
+                  "Length of " + appearance->partName(shown) + " [cm]: growth (black) and as it is (blue)", 13 * scale,
                   inks::DARK);
   drawLengths(canvas, area, trace, scale);
   const double arrows = area.y + area.height + 74 * scale;

@@ -11,8 +11,6 @@ namespace devo_evo
 {
 namespace
 {
-constexpr double LENGTH_SPAN = 1.5;  // from the smallest to the largest resting length, in units of L
-
 const std::array<std::pair<Colouring, const char*>, 4> NAMES = { {
     { Colouring::RESTING_LENGTH, "resting_length" },
     { Colouring::REMAINING_DEVELOPMENT, "remaining_development" },
@@ -24,11 +22,6 @@ const std::array<std::pair<Colouring, const char*>, 4> NAMES = { {
 float plateau(double value, double low, double high, double fall)
 {
   return static_cast<float>(std::clamp(std::min(value - low, high - value) / fall + 1.0, 0.0, 1.0));
-}
-
-Colour ofLength(double length, double voxel_size)
-{
-  return jet(length / (LENGTH_SPAN * voxel_size) - 0.1);
 }
 }  // namespace
 
@@ -61,19 +54,19 @@ Colour hue(double turns)
   return { part(std::min(sixths, 6.0 - sixths)), part(std::abs(sixths - 2.0)), part(std::abs(sixths - 4.0)) };
 }
 
-Colour colourOf(const ShownVoxel& voxel, Colouring colouring, double voxel_size)
+Colour colourOfPart(const ShownPart& part, Colouring colouring, double resting, double present, double remaining)
 {
   switch (colouring)
   {
     case Colouring::RESTING_LENGTH:
-      return ofLength(voxel.resting_length, voxel_size);
+      return jet(resting);
     case Colouring::REMAINING_DEVELOPMENT:
-      return jet(voxel.remaining_development / (LENGTH_SPAN * voxel_size) + 0.5);
+      return jet(remaining);
     case Colouring::PHASE:
-      return hue(voxel.phase + 0.5);
+      return hue(part.phase + 0.5);
     case Colouring::PRESENT_LENGTH:
       break;
   }
-  return ofLength(voxel.present_length, voxel_size);
+  return jet(present);
 }
 }  // namespace devo_evo

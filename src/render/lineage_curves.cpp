@@ -7,14 +7,14 @@
 
 namespace devo_evo
 {
-const std::array<LineageCurve, 3>& lineageCurves()
+LineageCurves lineageCurves(const Body& body)
 {
-  static const std::array<LineageCurve, 3> curves = { {
-      { "fitness [body lengths]",
+  return { {
+      { "fitness [" + body.fitnessUnit() + "]",
         { 0.84, 0.30, 0.16 },
         [](const ArchivedIndividual& a)
         { return a.individual.evaluation && a.individual.evaluation->valid ? a.individual.evaluation->fitness : NAN; },
-        1.0 },
+        0.0 },
       { "W_L: how much the body develops",
         { 0.11, 0.55, 0.42 },
         [](const ArchivedIndividual& a) { return a.morphology_window; },
@@ -24,7 +24,6 @@ const std::array<LineageCurve, 3>& lineageCurves()
         [](const ArchivedIndividual& a) { return a.control_window; },
         0.5 },
   } };
-  return curves;
 }
 
 AxisRange rangeOf(const LineageCurve& curve, const std::vector<ArchivedIndividual>& lineage)
@@ -37,7 +36,7 @@ AxisRange rangeOf(const LineageCurve& curve, const std::vector<ArchivedIndividua
     range.high = std::isfinite(value) ? std::max(range.high, value) : range.high;
   }
   range.high *= 1.05;
-  return range;
+  return range.high > range.low ? range : AxisRange{ range.low, range.low + 1.0 };
 }
 
 AxisRange generationsOf(const std::vector<ArchivedIndividual>& lineage)
@@ -51,7 +50,7 @@ std::vector<AxisTick> roundTicks(const AxisRange& range, int count)
   const double raw = (range.high - range.low) / count;
   const double power = std::pow(10.0, std::floor(std::log10(raw)));
   const double step = (raw / power < 1.5 ? 1.0 : raw / power < 3.5 ? 2.0 : raw / power < 7.5 ? 5.0 : 10.0) * power;
-  const int decimals = step >= 1.0 ? 0 : step >= 0.1 ? 1 : step >= 0.01 ? 2 : 3;
+  const int decimals = std::max(0, static_cast<int>(-std::floor(std::log10(step) + 1e-9)));
   std::vector<AxisTick> ticks;
   for (double k = std::ceil(range.low / step - 1e-9); k * step <= range.high + 1e-9 * step; ++k)
   {

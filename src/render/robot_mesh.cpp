@@ -93,10 +93,10 @@ void RobotMesh::addEdges()
 /// From each voxel's centre to the centres of its sides.
 std::vector<std::array<Eigen::Vector3d, RobotMesh::SIDES>> RobotMesh::sideCenters(const RobotFrame& frame) const
 {
-  std::vector<std::array<Eigen::Vector3d, SIDES>> centers(frame.voxels.size());
-  for (size_t voxel = 0; voxel < frame.voxels.size(); ++voxel)
+  std::vector<std::array<Eigen::Vector3d, SIDES>> centers(frame.parts.size());
+  for (size_t voxel = 0; voxel < frame.parts.size(); ++voxel)
   {
-    const ShownVoxel& shown = frame.voxels[voxel];
+    const ShownPart& shown = frame.parts[voxel];
     const Eigen::Matrix3d axes = shown.orientation.toRotationMatrix();
     for (size_t axis = 0; axis < 3; ++axis)
     {
@@ -107,7 +107,7 @@ std::vector<std::array<Eigen::Vector3d, RobotMesh::SIDES>> RobotMesh::sideCenter
         centers[voxel][side(axis, upper)] =
             neighbour == NO_NEIGHBOUR
                 ? Eigen::Vector3d(sign * shown.present_length * axes.col(static_cast<Eigen::Index>(axis)))
-                : Eigen::Vector3d(0.5 * (frame.voxels[static_cast<size_t>(neighbour)].position - shown.position));
+                : Eigen::Vector3d(0.5 * (frame.parts[static_cast<size_t>(neighbour)].position - shown.position));
       }
     }
   }
@@ -125,7 +125,7 @@ std::vector<Eigen::Vector3d> RobotMesh::vertices(const RobotFrame& frame) const
     for (const Corner& corner : corners)
     {
       const auto voxel = static_cast<size_t>(corner.voxel);
-      sum += frame.voxels[voxel].position + centers[voxel][side(0, corner.upper[0])] +
+      sum += frame.parts[voxel].position + centers[voxel][side(0, corner.upper[0])] +
              centers[voxel][side(1, corner.upper[1])] + centers[voxel][side(2, corner.upper[2])];
     }
     vertices.push_back(sum / static_cast<double>(corners.size()));

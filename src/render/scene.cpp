@@ -60,10 +60,10 @@ Eigen::Vector3d MotionTrace::velocity() const
   return (recent_.back().second - recent_.front().second) / (recent_.back().first - recent_.front().first);
 }
 
-FloorPlan floorPlan(const LifeSurvey& life, const SoftBodySettings& body)
+FloorPlan floorPlan(const LifeSurvey& life, const Surroundings& surroundings)
 {
   FloorPlan plan;
-  plan.body_length = body.voxel_size * body.grid_y;
+  plan.body_length = surroundings.body_length;
   Eigen::AlignedBox2d way = life.extent;
   way.extend(Eigen::Vector2d(life.birthplace.head<2>()));
   const Eigen::Vector3d& origin = life.birthplace;

@@ -2,7 +2,7 @@
 
 #include "devo_evo/experiment/json_lines.h"
 #include "devo_evo/experiment/report_text.h"
-#include "devo_evo/render/life_playback.h"
+#include "devo_evo/render/appearance.h"
 #include "devo_evo/soft_body/text.h"
 
 #include <cerrno>
@@ -35,7 +35,7 @@ ShownRobot toShow(const ArchivedIndividual& archived, const ExperimentSettings& 
   {
     throw InvalidInput("the genome of individual " + robot.name + " was not kept and cannot be had again");
   }
-  robot.body = softSettings(settings.body, "players and pictures");
+  robot.body = settings.body;
   robot.program = individual.genome.program;
   robot.descent = Descent{ individual.trial,
                            individual.id,
@@ -116,10 +116,10 @@ std::optional<ShownRobot> findRobot(const Archive& archive, const RobotChoice& c
   return best ? std::optional<ShownRobot>(toShow(*best, archive.settings())) : std::nullopt;
 }
 
-ShownRobot readRobotFile(const std::string& path, const std::string& id, const SoftBodySettings& body)
+ShownRobot readRobotFile(const std::string& path, const std::string& id, const BodySettings& body)
 {
   std::ifstream file = openFile(path);
-  const std::shared_ptr<const Body> kind = makeSoftBody(body);
+  const std::shared_ptr<const Body> kind = makeBody(body);
   RobotReader reader(file, path, *kind);
   while (const std::optional<RobotRecord> record = reader.next())
   {
@@ -138,11 +138,12 @@ ShownRobot readRobotFile(const std::string& path, const std::string& id, const S
 LifeSurvey surveyLife(const ShownRobot& robot, const std::atomic<bool>* stop)
 {
   LifeSurvey survey;
+  const Surroundings surroundings = makeAppearance(robot.body)->surroundings();
   LifePlayback playback(robot.body, robot.program);
   bool first = true;
   for (int64_t look = 0; playback.advanceTo(static_cast<double>(look) * SURVEY_SPACING, stop); ++look)
   {
-    const Eigen::Vector3d place = playback.centerOfMass();
+    const Eigen::Vector3d place = surroundings.onFloor(playback.centerOfMass());
     survey.birthplace = first ? place : survey.birthplace;
     survey.extent.extend(Eigen::Vector2d(place.head<2>()));
     first = false;
@@ -175,6 +176,7 @@ std::string disagreement(const ShownRobot& robot, const Evaluation& evaluation)
 
 std::string captionText(const ShownRobot& robot, const Evaluation& evaluation, double time_since_birth_s)
 {
+  const std::shared_ptr<const Body> body = makeBody(robot.body);
   std::string first = robot.name;
   if (robot.descent)
   {
@@ -182,7 +184,7 @@ std::string captionText(const ShownRobot& robot, const Evaluation& evaluation, d
              toText(robot.descent->age);
   }
   const std::string fitness =
-      evaluation.valid ? "fitness " + fixedText(evaluation.fitness, 2) + " body lengths" : "diverges";
+      evaluation.valid ? "fitness " + body->fitnessText(evaluation.fitness) + " " + body->fitnessUnit() : "diverges";
   return first + "\n" + fitness + ", " + fixedText(time_since_birth_s, 2) + " s";
 }
 }  // namespace devo_evo

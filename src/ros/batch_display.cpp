@@ -20,6 +20,7 @@ constexpr std::chrono::milliseconds LOOK_PERIOD{ 200 };  // between looks whethe
 constexpr std::chrono::seconds GONE_AFTER{ 5 };          // without a word, a simulator has no place any more
 constexpr double LIFETIME_OF_MARKERS = 2.0;              // after which the last picture goes away [s]
 constexpr double PLACE_WIDTH = 4.0;                      // [body lengths]
+constexpr size_t MARKERS_PER_PLACE = 100;                // of one namespace, more than any robot has
 
 /// Lets the calling thread have only what nobody else wants.
 void lowerPriority()
@@ -50,7 +51,7 @@ BatchDisplay::~BatchDisplay()
 void BatchDisplay::offer(const BodySettings& settings, const std::vector<EvaluationRequest>& robots,
                          const std::vector<Evaluation>& evaluations)
 {
-  if (robots.empty() || settings.kind != BodyKind::SOFT || !watched())
+  if (robots.empty() || !watched())
   {
     return;
   }
@@ -63,7 +64,7 @@ void BatchDisplay::offer(const BodySettings& settings, const std::vector<Evaluat
   }
   {
     std::lock_guard<std::mutex> lock(mutex_);
-    robot_ = Robot{ settings.soft, robots[static_cast<size_t>(best - evaluations.begin())], *best };
+    robot_ = Robot{ settings, robots[static_cast<size_t>(best - evaluations.begin())], *best };
   }
   offered_.notify_all();
 }
@@ -100,7 +101,7 @@ std::optional<BatchDisplay::Robot> BatchDisplay::take()
 void BatchDisplay::play(const Robot& robot)
 {
   announcements_ = node_.subscribe("simulators", 100, &BatchDisplay::heardFrom, this);
-  const double body_length = robot.settings.voxel_size * robot.settings.grid_y;
+  const double body_length = makeAppearance(robot.settings)->surroundings().body_length;
   const std::string caption = individualName(robot.request.trial, robot.request.id);
   LifePlayback life(robot.settings, robot.request.program);
   MotionTrace trace;
@@ -119,7 +120,7 @@ void BatchDisplay::play(const Robot& robot)
       append(markers, scene.annotations(frame, trace, caption));
       for (visualization_msgs::Marker& marker : markers.markers)
       {
-        marker.id = static_cast<int32_t>(place);
+        marker.id += static_cast<int32_t>(MARKERS_PER_PLACE * place);
         marker.lifetime = ros::Duration(LIFETIME_OF_MARKERS);
       }
       setStamp(markers, wallStamp());

@@ -47,7 +47,7 @@ private:
 
   struct Robot
   {
-    SoftBodySettings settings;
+    BodySettings settings;
     EvaluationRequest request;
     Evaluation evaluation;
   };

@@ -161,7 +161,7 @@ ShownRobot robotOf(const EvolvedRobot& message, const BodySettings& settings)
     throw InvalidInput("the genome of individual " + robot.name + " was not kept and cannot be had again");
   }
   const std::shared_ptr<const Body> body = makeBody(settings);
-  robot.body = softSettings(settings, "players and pictures");
+  robot.body = settings;
   robot.program = fromMsg(message.genome, *body).program;
   robot.recorded = fromMsg(message.evaluation, *body);
   const int64_t age_at_birth = message.age - (message.generation - message.born);

@@ -27,9 +27,7 @@ std::string withoutNamespace(const std::string& name)
 }  // namespace
 
 PlayerNode::PlayerNode(const Parameters& parameters)
-  : file_body_(softSettings(parameters.experiment.body, "players"))
-  , name_(withoutNamespace(ros::this_node::getName()))
-  , private_node_("~")
+  : file_body_(parameters.experiment.body), name_(withoutNamespace(ros::this_node::getName())), private_node_("~")
 {
   robot_publisher_ = private_node_.advertise<visualization_msgs::MarkerArray>("robot", 100);
   floor_publisher_ = private_node_.advertise<visualization_msgs::MarkerArray>("floor", 10, true);
@@ -240,8 +238,8 @@ void PlayerNode::setScene(ShownRobot robot, const Orders& orders)
 {
   auto scene = std::make_unique<Scene>();
   scene->life = surveyLife(robot, &stop_);
-  body_length_ = robot.body.voxel_size * robot.body.grid_y;
-  offset_ = orders.player.offset * body_length_;
+  scene->surroundings = makeAppearance(robot.body)->surroundings();
+  offset_ = orders.player.offset * scene->surroundings.body_length;
   scene->markers = std::make_unique<SceneMarkers>(robot.body, Eigen::Vector3d(offset_, 0.0, 0.0));
   scene->robot = std::move(robot);
   scene_ = std::move(scene);
@@ -249,7 +247,7 @@ void PlayerNode::setScene(ShownRobot robot, const Orders& orders)
   ROS_INFO_STREAM("showing " << captionText(scene_->robot, scene_->life.evaluation, 0.0)
                              << (scene_->record == PlayerState::AGREES ? ", as recorded" : ""));
   visualization_msgs::MarkerArray floor = nothing();
-  append(floor, scene_->markers->floor(floorPlan(scene_->life, scene_->robot.body)));
+  append(floor, scene_->markers->floor(floorPlan(scene_->life, scene_->surroundings)));
   floor_publisher_.publish(floor);
   robot_publisher_.publish(nothing());
 }
@@ -337,7 +335,7 @@ bool PlayerNode::wait(std::chrono::duration<double> time, const Orders& known)
 
 void PlayerNode::show(const Picture& picture, const Orders& orders)
 {
-  if (picture.frame.voxels.empty())  // it has diverged before there was anything to show
+  if (picture.frame.parts.empty())  // it has diverged before there was anything to show
   {
     return;
   }
@@ -380,9 +378,11 @@ void PlayerNode::publishState(const Picture& picture, const Orders& orders, cons
   state.fitness = scene_->life.evaluation.fitness;
   state.record = scene_->record;
   state.time = picture.frame.time_since_birth;
-  state.displacement = (picture.frame.center_of_mass.y() - scene_->life.birthplace.y()) / body_length_;
-  state.velocity = picture.trace.velocity().y() / body_length_;
-  state.height = picture.frame.center_of_mass.z() / body_length_;
+  const Surroundings& surroundings = scene_->surroundings;
+  const Eigen::Vector3d place = surroundings.onFloor(picture.frame.center_of_mass);
+  state.displacement = (place.y() - scene_->life.birthplace.y()) / surroundings.body_length;
+  state.velocity = surroundings.onFloor(picture.trace.velocity()).y() / surroundings.body_length;
+  state.height = place.z() / surroundings.body_length;
   state.paused = orders.paused;
   state.speed = orders.player.speed;
   state.colour = orders.player.colour;

@@ -62,6 +62,7 @@ private:
   {
     ShownRobot robot;
     LifeSurvey life;
+    Surroundings surroundings;
     std::unique_ptr<SceneMarkers> markers;
     uint8_t record = PlayerState::NOT_RECORDED;
   };
@@ -92,8 +93,8 @@ private:
   bool onPause(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
   bool onResume(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
 
-  const SoftBodySettings file_body_;  ///< of robots from files
-  const std::string name_;            ///< of the frames
+  const BodySettings file_body_;  ///< of robots from files
+  const std::string name_;        ///< of the frames
   ros::NodeHandle node_;
   ros::NodeHandle private_node_;
   ros::Publisher robot_publisher_;
@@ -108,7 +109,6 @@ private:
   std::atomic<bool> stop_{ false };
 
   std::unique_ptr<Scene> scene_;  ///< of the thread
-  double body_length_ = 0.0;      ///< of the robot on show [m]
   double offset_ = 0.0;           ///< [m]
 
   std::thread thread_;

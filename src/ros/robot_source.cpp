@@ -49,8 +49,7 @@ std::unique_ptr<RobotSource> makeArchiveSource(const std::string& output, const 
   return std::make_unique<ArchiveSource>(output, choice);
 }
 
-std::unique_ptr<RobotSource> makeFileSource(const std::string& path, const std::string& id,
-                                            const SoftBodySettings& body)
+std::unique_ptr<RobotSource> makeFileSource(const std::string& path, const std::string& id, const BodySettings& body)
 {
   return std::make_unique<FileSource>(readRobotFile(path, id, body));
 }

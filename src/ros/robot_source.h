@@ -35,8 +35,7 @@ public:
 std::unique_ptr<RobotSource> makeArchiveSource(const std::string& output, const RobotChoice& choice);
 
 /// A robot of a file. @throw InvalidInput
-std::unique_ptr<RobotSource> makeFileSource(const std::string& path, const std::string& id,
-                                            const SoftBodySettings& body);
+std::unique_ptr<RobotSource> makeFileSource(const std::string& path, const std::string& id, const BodySettings& body);
 
 /// The robot that a message speaks of. @param settings of the experiment that it is from.
 /// @throw InvalidInput if the message makes no sense for this body, or has no genome.

@@ -1,5 +1,6 @@
 #include "ros/scene_markers.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <iterator>
@@ -11,7 +12,7 @@ namespace
 using visualization_msgs::Marker;
 using visualization_msgs::MarkerArray;
 
-// Sizes in units of voxel_size.
+// Sizes in units of Surroundings::stroke, the side of a voxel.
 constexpr double EDGE_WIDTH = 0.06;
 constexpr double POINT_SIZE = 0.2;
 constexpr double PATH_WIDTH = 0.12;
@@ -22,6 +23,7 @@ constexpr double CAPTION_ABOVE = 6.5;  // over the centre of mass
 constexpr double LINE_WIDTH = 0.08;
 constexpr double MARKED_LINE_WIDTH = 0.25;
 constexpr double LABEL_HEIGHT = 1.6;
+constexpr double LIGHT_SIZE = 2.4;
 constexpr double ABOVE_FLOOR = 0.05;  // of lines, so that the floor does not hide them
 
 const Colour DARK = { 0.13F, 0.13F, 0.15F };
@@ -30,6 +32,7 @@ const Colour LINES = { 0.72F, 0.72F, 0.70F };
 const Colour MARKED_LINES = { 0.45F, 0.45F, 0.45F };
 const Colour PATH = { 0.20F, 0.20F, 0.22F };
 const Colour ARROW = { 0.85F, 0.10F, 0.45F };
+const Colour LIGHT = { 1.0F, 0.80F, 0.15F };
 
 /// Faces are the darker the less they look at the light, which comes from above, from behind and from the right.
 double brightness(const Eigen::Vector3d& normal)
@@ -64,8 +67,8 @@ double rounded(double position)
 
 const char* const WORLD_FRAME = "world";
 
-SceneMarkers::SceneMarkers(const SoftBodySettings& settings, const Eigen::Vector3d& offset)
-  : settings_(settings), mesh_(settings), offset_(offset)
+SceneMarkers::SceneMarkers(const BodySettings& body, const Eigen::Vector3d& offset)
+  : appearance_(makeAppearance(body)), surroundings_(appearance_->surroundings()), offset_(offset)
 {
 }
 
@@ -93,45 +96,44 @@ geometry_msgs::Point SceneMarkers::point(const Eigen::Vector3d& position) const
 
 MarkerArray SceneMarkers::robot(const RobotFrame& frame, Colouring colouring) const
 {
-  const std::vector<Eigen::Vector3d> vertices = mesh_.vertices(frame);
-  const auto vertex = [&](int index) { return point(vertices[static_cast<size_t>(index)]); };
-  std::vector<Colour> colours;
-  Marker voxels = marker("voxels", Marker::POINTS);
-  voxels.scale.x = voxels.scale.y = POINT_SIZE * settings_.voxel_size;
-  for (const ShownVoxel& voxel : frame.voxels)
+  MarkerArray markers;
+  for (const Surface& surface : appearance_->surfaces(frame, colouring))
   {
-    colours.push_back(colourOf(voxel, colouring, settings_.voxel_size));
-    voxels.colors.push_back(toMsg(colours.back()));
-    voxels.points.push_back(point(voxel.position));
-  }
-
-  Marker body = marker("body", Marker::TRIANGLE_LIST);
-  for (const RobotMesh::Face& face : mesh_.faces())
-  {
-    const std_msgs::ColorRGBA colour =
-        toMsg(shaded(colours[static_cast<size_t>(face.voxel)], brightness(faceNormal(face, vertices))));
-    for (const size_t corner : { 0, 1, 2, 0, 2, 3 })
+    Marker body = marker("body", Marker::TRIANGLE_LIST);
+    body.id = static_cast<int32_t>(markers.markers.size());
+    for (size_t corner = 0; corner < surface.corners.size(); ++corner)
     {
-      body.points.push_back(vertex(face.corners[corner]));
-      body.colors.push_back(colour);
+      body.points.push_back(point(surface.corners[corner]));
+      body.colors.push_back(toMsg(shaded(surface.colours[corner], brightness(surface.normals[corner]))));
     }
+    markers.markers.push_back(std::move(body));
   }
   Marker edges = marker("edges", Marker::LINE_LIST);
-  edges.scale.x = EDGE_WIDTH * settings_.voxel_size;
-  for (const auto& [first, second] : mesh_.edges())
+  edges.scale.x = EDGE_WIDTH * surroundings_.stroke;
+  for (const auto& [first, second] : appearance_->edges(frame))
   {
-    edges.points.push_back(vertex(first));
-    edges.points.push_back(vertex(second));
+    edges.points.push_back(point(first));
+    edges.points.push_back(point(second));
   }
-  MarkerArray markers;
-  markers.markers = { body, edges, voxels };
+  if (!edges.points.empty())
+  {
+    markers.markers.push_back(std::move(edges));
+  }
+  Marker parts = marker("parts", Marker::POINTS);
+  parts.scale.x = parts.scale.y = POINT_SIZE * surroundings_.stroke;
+  for (size_t part = 0; part < frame.parts.size(); ++part)
+  {
+    parts.points.push_back(point(frame.parts[part].position));
+    parts.colors.push_back(toMsg(appearance_->colourOf(frame, part, colouring)));
+  }
+  markers.markers.push_back(std::move(parts));
   return markers;
 }
 
 MarkerArray SceneMarkers::annotations(const RobotFrame& frame, const MotionTrace& trace,
                                       const std::string& caption) const
 {
-  const double L = settings_.voxel_size;
+  const double L = surroundings_.stroke;
   Marker path = marker("path", Marker::LINE_STRIP);
   path.scale.x = PATH_WIDTH * L;
   path.color = toMsg(PATH);
@@ -158,8 +160,10 @@ MarkerArray SceneMarkers::annotations(const RobotFrame& frame, const MotionTrace
 
 MarkerArray SceneMarkers::floor(const FloorPlan& plan) const
 {
-  const double L = settings_.voxel_size;
-  const Eigen::Vector3d raised(0.0, 0.0, ABOVE_FLOOR * L);
+  const double L = surroundings_.stroke;
+  const Eigen::Matrix3d to_world = surroundings_.floorToWorld().toRotationMatrix();
+  const auto on_floor = [&](const Eigen::Vector3d& place, double height)
+  { return point(to_world * (place + Eigen::Vector3d(0.0, 0.0, height))); };
   Marker area = marker("floor", Marker::TRIANGLE_LIST);
   area.color = toMsg(FLOOR);
   const Eigen::Vector2d low = plan.area.min(), high = plan.area.max();
@@ -168,7 +172,7 @@ MarkerArray SceneMarkers::floor(const FloorPlan& plan) const
   };
   for (const size_t corner : { 0, 1, 2, 0, 2, 3 })
   {
-    area.points.push_back(point(corners[corner]));
+    area.points.push_back(on_floor(corners[corner], 0.0));
     area.colors.push_back(area.color);
   }
 
@@ -179,8 +183,8 @@ MarkerArray SceneMarkers::floor(const FloorPlan& plan) const
     marker.color = toMsg(colour);
     for (const FloorPlan::Line& line : ways)
     {
-      marker.points.push_back(point(line[0] + raised));
-      marker.points.push_back(point(line[1] + raised));
+      marker.points.push_back(on_floor(line[0], ABOVE_FLOOR * L));
+      marker.points.push_back(on_floor(line[1], ABOVE_FLOOR * L));
     }
     return marker;
   };
@@ -191,12 +195,42 @@ MarkerArray SceneMarkers::floor(const FloorPlan& plan) const
   {
     Marker label = marker("labels", Marker::TEXT_VIEW_FACING);
     label.id = static_cast<int32_t>(markers.markers.size());
-    label.pose.position = point(place + Eigen::Vector3d(0.0, 0.0, LABEL_HEIGHT * L / 2.0));
+    label.pose.position = on_floor(place, LABEL_HEIGHT * L / 2.0);
     label.scale.z = LABEL_HEIGHT * L;
     label.color = toMsg(MARKED_LINES);
     label.text = text;
     markers.markers.push_back(label);
   }
+  append(markers, light());
+  return markers;
+}
+
+/// A ball on a post, where the light is.
+MarkerArray SceneMarkers::light() const
+{
+  MarkerArray markers;
+  if (!surroundings_.light)
+  {
+    return markers;
+  }
+  Marker ball = marker("light", Marker::SPHERE);
+  ball.pose.position = point(*surroundings_.light);
+  ball.scale.x = ball.scale.y = ball.scale.z = LIGHT_SIZE * surroundings_.stroke;
+  ball.color = toMsg(LIGHT);
+  Marker post = marker("post", Marker::CYLINDER);
+  Eigen::Vector3d foot = surroundings_.onFloor(*surroundings_.light);
+  const double height = foot.z();
+  foot.z() *= 0.5;
+  const Eigen::Quaterniond upright = surroundings_.floorToWorld();
+  post.pose.position = point(upright * foot);
+  post.pose.orientation.w = upright.w();
+  post.pose.orientation.x = upright.x();
+  post.pose.orientation.y = upright.y();
+  post.pose.orientation.z = upright.z();
+  post.scale.x = post.scale.y = 0.2 * ball.scale.x;
+  post.scale.z = std::max(height, 1e-3);
+  post.color = toMsg(MARKED_LINES);
+  markers.markers = { ball, post };
   return markers;
 }
 

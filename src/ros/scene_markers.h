@@ -1,53 +1,57 @@
 #pragma once
 
-#include "devo_evo/render/colouring.h"
-#include "devo_evo/render/robot_mesh.h"
+#include "devo_evo/render/appearance.h"
 #include "devo_evo/render/scene.h"
 
 #include <visualization_msgs/MarkerArray.h>
 
 #include <Eigen/Core>
 
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace devo_evo
 {
-/// Frame of all markers: right-handed, z up, metres; robots travel along +y, and the floor is z = 0.
+/// Frame of all markers: right-handed, z up, metres; robots travel along +y. The floor passes through the origin.
 extern const char* const WORLD_FRAME;
 
 /// Draws a robot and its surroundings as markers, a few messages for everything. Namespaces of the markers:
-///   body      triangles, two a face, of the faces of RobotMesh in their order, in the colour of their voxel, shaded
-///   edges     lines along the edges of the blocks
-///   voxels    points, one a voxel in the order of the genome: its centre, in its colour
+///   body      triangles, shaded: a marker for each of Appearance::surfaces(), its id the place of the surface there.
+///   Of
+///             a soft body it is one, with two triangles a face of RobotMesh, in the colour of their voxel
+///   edges     lines along the edges of flat faces
+///   parts     points, one for each of RobotFrame::parts in their order: its centre, in its colour
 ///   path, velocity, caption
 ///   floor     its area; `lines`, `marked_lines` and `labels` on it
+///   light     a ball where the light is, and its `post`, if there is one
 /// Stamps are left 0. Positions are rounded to 2^-17 m (0.008 mm), so that bags of them can be compressed.
 class SceneMarkers
 {
 public:
   /// @param offset added to every position [m].
-  SceneMarkers(const SoftBodySettings& settings, const Eigen::Vector3d& offset);
+  SceneMarkers(const BodySettings& body, const Eigen::Vector3d& offset);
 
-  /// Namespaces body, edges and voxels.
+  /// Namespaces body, edges and parts.
   visualization_msgs::MarkerArray robot(const RobotFrame& frame, Colouring colouring) const;
 
-  /// Namespaces path, velocity and caption. The arrow, above the robot, is as long as the way in ARROW_TIME at that
-  /// velocity.
+  /// Namespaces path, velocity and caption. @param trace in the world frame. The arrow, above the robot, is as long as
+  /// the way in ARROW_TIME at that velocity.
   visualization_msgs::MarkerArray annotations(const RobotFrame& frame, const MotionTrace& trace,
                                               const std::string& caption) const;
 
-  /// Namespaces floor, lines, marked_lines and labels.
+  /// Namespaces floor, lines, marked_lines, labels, light and post.
   visualization_msgs::MarkerArray floor(const FloorPlan& plan) const;
 
   static constexpr double ARROW_TIME = 1.0;  ///< [s]
 
 private:
+  visualization_msgs::MarkerArray light() const;
   visualization_msgs::Marker marker(const std::string& name_space, int32_t type) const;
   geometry_msgs::Point point(const Eigen::Vector3d& position) const;
 
-  const SoftBodySettings settings_;
-  const RobotMesh mesh_;
+  const std::shared_ptr<const Appearance> appearance_;
+  const Surroundings surroundings_;
   const Eigen::Vector3d offset_;
 };
 

@@ -67,7 +67,7 @@ RunOutcome StudyNode::run()
   say("study of scale " + toString(parameters_.study.scale) + " in " + output + "\n" +
       estimateText(parameters_, workers, bestInstructionSet()));
   const Provenance provenance = localProvenance(toString(bestInstructionSet()), *makeBody(parameters_.experiment.body));
-  const auto make_farm = [&](const SoftBodySettings& body) { return makeFarm(body, provenance.engine_fingerprint); };
+  const auto make_farm = [&](const BodySettings& body) { return makeFarm(body); };
   callbacks_.start();
   const RunOutcome outcome = runStudy(parameters_, provenance, make_farm, *this);
   say(outcome == RunOutcome::FINISHED ? "finished\nStudy: " + output
@@ -81,15 +81,16 @@ bool StudyNode::close()
   return master_watch_.close() && clean_;
 }
 
-std::unique_ptr<Farm> StudyNode::makeFarm(const SoftBodySettings& body, uint64_t fingerprint)
+std::unique_ptr<Farm> StudyNode::makeFarm(const BodySettings& body)
 {
   const auto closed = [this](bool clean)
   {
     clean_ = clean_ && clean;
     workers_ = nullptr;
   };
-  auto farm = std::make_unique<ClosingFarm>(node_, farmSettings(parameters_, BodySettings(body), fingerprint),
-                                            signs_of_life_, closed);
+  const uint64_t fingerprint = makeBody(body)->engineFingerprint(bestInstructionSet());
+  auto farm =
+      std::make_unique<ClosingFarm>(node_, farmSettings(parameters_, body, fingerprint), signs_of_life_, closed);
   workers_ = [&farm = *farm] { return farm.status(); };
   idle_warning_.update(true);
   return farm;

@@ -37,7 +37,7 @@ private:
   void showProgress(const std::string& line) override;
   bool stopRequested() override;
 
-  std::unique_ptr<Farm> makeFarm(const SoftBodySettings& body, uint64_t fingerprint);
+  std::unique_ptr<Farm> makeFarm(const BodySettings& body);
 
   Parameters parameters_;
   ros::NodeHandle node_;

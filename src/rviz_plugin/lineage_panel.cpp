@@ -355,7 +355,8 @@ void LineagePanel::markChosen()
   slider_->setEnabled(known);
   slider_->setRange(0, known ? static_cast<int>(view_.individuals.size()) - 1 : 0);
   slider_->setValue(static_cast<int>(chosen_));
-  plot_->setLineage(view_.individuals);
+  plot_->setLineage(view_.individuals,
+                    view_.body ? std::optional<LineageCurves>(lineageCurves(*view_.body)) : std::nullopt);
   plot_->setChosen(chosen_);
   describeChosen();
 }
@@ -370,15 +371,15 @@ void LineagePanel::describeChosen()
   }
   const ArchivedIndividual& ancestor = view_.individuals[chosen_];
   const std::optional<Evaluation>& life = ancestor.individual.evaluation;
-  QString text =
-      QString("%1, %2 of %3: born in generation %4, fitness %5, W_L %6, W_Φ %7")
-          .arg(QString::fromStdString(chosenIndividual()))
-          .arg(chosen_ + 1)
-          .arg(view_.individuals.size())
-          .arg(ancestor.individual.generation)
-          .arg(life && life->valid ? QString::fromStdString(fixedText(life->fitness, 3)) : "none (it diverges)")
-          .arg(QString::fromStdString(fixedText(ancestor.morphology_window, 3)))
-          .arg(QString::fromStdString(fixedText(ancestor.control_window, 3)));
+  QString text = QString("%1, %2 of %3: born in generation %4, fitness %5, W_L %6, W_Φ %7")
+                     .arg(QString::fromStdString(chosenIndividual()))
+                     .arg(chosen_ + 1)
+                     .arg(view_.individuals.size())
+                     .arg(ancestor.individual.generation)
+                     .arg(life && life->valid ? QString::fromStdString(view_.body->fitnessText(life->fitness))
+                                              : "none (it diverges)")
+                     .arg(QString::fromStdString(fixedText(ancestor.morphology_window, 3)))
+                     .arg(QString::fromStdString(fixedText(ancestor.control_window, 3)));
   if (client_ && client_->last() && client_->last()->individual != chosenIndividual())
   {
     text += QString("\nThe player shows %1").arg(QString::fromStdString(client_->last()->individual));

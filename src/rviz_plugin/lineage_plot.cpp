@@ -33,9 +33,10 @@ LineagePlot::LineagePlot(QWidget* parent) : QWidget(parent)
   setToolTip("Click or drag to choose an ancestor");
 }
 
-void LineagePlot::setLineage(const std::vector<ArchivedIndividual>& lineage)
+void LineagePlot::setLineage(const std::vector<ArchivedIndividual>& lineage, const std::optional<LineageCurves>& curves)
 {
   lineage_ = lineage;
+  curves_ = curves.value_or(LineageCurves());
   generations_ = lineage_.empty() ? AxisRange() : generationsOf(lineage_);
   chosen_ = lineage_.empty() ? 0 : std::min(chosen_, lineage_.size() - 1);
   update();
@@ -60,7 +61,7 @@ double LineagePlot::xOf(size_t position) const
 /// Within the axes of a row.
 QRectF LineagePlot::area(size_t row) const
 {
-  const double row_height = (height() - LOWEST) / static_cast<double>(lineageCurves().size());
+  const double row_height = (height() - LOWEST) / static_cast<double>(curves_.size());
   return { LEFT, static_cast<double>(row) * row_height + ABOVE, width() - LEFT - RIGHT, row_height - ABOVE - BELOW };
 }
 
@@ -78,11 +79,11 @@ void LineagePlot::paintEvent(QPaintEvent* /*event*/)
     painter.drawText(rect(), Qt::AlignCenter, "no lineage");
     return;
   }
-  for (size_t row = 0; row < lineageCurves().size(); ++row)
+  for (size_t row = 0; row < curves_.size(); ++row)
   {
-    const LineageCurve& curve = lineageCurves()[row];
+    const LineageCurve& curve = curves_[row];
     const AxisRange values = rangeOf(curve, lineage_);
-    paintAxes(painter, area(row), curve, values, row + 1 == lineageCurves().size());
+    paintAxes(painter, area(row), curve, values, row + 1 == curves_.size());
     paintCurve(painter, area(row), curve, values);
   }
 }

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace devo_evo
@@ -18,8 +19,8 @@ class LineagePlot : public QWidget
 public:
   explicit LineagePlot(QWidget* parent = nullptr);
 
-  /// @param lineage oldest first; empty: there is nothing to plot.
-  void setLineage(const std::vector<ArchivedIndividual>& lineage);
+  /// @param lineage oldest first; empty: there is nothing to plot. @param curves as long as there is.
+  void setLineage(const std::vector<ArchivedIndividual>& lineage, const std::optional<LineageCurves>& curves);
   void setChosen(size_t position);
 
   /// Called when the user chooses an ancestor, with its position in the lineage.
@@ -45,6 +46,7 @@ private:
   void chooseAt(double x);
 
   std::vector<ArchivedIndividual> lineage_;
+  LineageCurves curves_;
   AxisRange generations_;
   size_t chosen_ = 0;
   std::function<void(size_t)> chosen_callback_;

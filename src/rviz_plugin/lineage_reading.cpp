@@ -1,5 +1,6 @@
 #include "rviz_plugin/lineage_reading.h"
 
+#include "devo_evo/bodies/bodies.h"
 #include "ros/parameters.h"
 
 #include <ros/names.h>
@@ -46,9 +47,11 @@ LineageView readLineageView(const std::string& folder, std::optional<int64_t> tr
   view.trials = archive->trials();
   if (known.folder == folder && endsWith(known, champion))
   {
+    view.body = known.body;
     view.individuals = known.individuals;
     return view;
   }
+  view.body = makeBody(archive->settings().body);
   view.individuals = archive->readLineage(champion.first, champion.second);
   for (ArchivedIndividual& individual : view.individuals)
   {

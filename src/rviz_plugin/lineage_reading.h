@@ -1,8 +1,10 @@
 #pragma once
 
 #include "devo_evo/archive/archive.h"
+#include "devo_evo/evolution/body.h"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,6 +17,7 @@ struct LineageView
   std::string folder;           ///< of the experiment
   std::vector<int64_t> trials;  ///< that have a generation, ascending
   int64_t trial = 0;
+  std::shared_ptr<const Body> body;             ///< whose lives these are; none if there are no individuals
   std::vector<ArchivedIndividual> individuals;  ///< oldest first, the champion last; without genomes. At least one
 };
 

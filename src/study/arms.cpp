@@ -66,6 +66,35 @@ std::vector<Arm> sweepArms(const Parameters& parameters)
   }
   return arms;
 }
+
+/// What is of voxels only stays behind: in an experiment with rigid bodies it is refused.
+ExperimentSettings withRigidBody(const ExperimentSettings& settings)
+{
+  Parameters parameters;
+  parameters.experiment = settings;
+  for (const ParameterSpec& spec : parameterSpecs())
+  {
+    if (spec.body == BodyKind::SOFT)
+    {
+      spec.set(parameters, spec.default_text);
+    }
+  }
+  parameters.experiment.body.kind = BodyKind::RIGID;
+  return parameters.experiment;
+}
+
+/// The treatments of MAIN with rigid bodies.
+std::vector<Arm> rigidArms(const Parameters& parameters)
+{
+  std::vector<Arm> arms = armsWith(StudyPart::RIGID, parameters, THE_PAPERS);
+  for (Arm& arm : arms)
+  {
+    arm.settings = withRigidBody(arm.settings);
+    arm.settings.trials = parameters.study.rigid_trials;
+    arm.settings.generations = parameters.study.rigid_generations;
+  }
+  return arms;
+}
 }  // namespace
 
 std::vector<Arm> armsOf(StudyPart part, const Parameters& parameters)
@@ -80,6 +109,8 @@ std::vector<Arm> armsOf(StudyPart part, const Parameters& parameters)
       return baselineArms(parameters);
     case StudyPart::SWEEP:
       return sweepArms(parameters);
+    case StudyPart::RIGID:
+      return rigidArms(parameters);
     default:
       return {};
   }

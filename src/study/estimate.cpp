@@ -26,16 +26,21 @@ std::string estimateText(const Parameters& parameters, int threads, InstructionS
 {
   validateStudy(parameters);
   const double rate = evaluationsPerSecond(parameters.experiment.body.soft, threads, instruction_set);
-  const auto timeOf = [rate](int64_t evaluations) { return durationText(static_cast<double>(evaluations) / rate); };
+  const auto rate_of = [&](StudyPart part)
+  { return part == StudyPart::RIGID ? quadrupedsPerSecond(parameters.experiment.body.rigid, threads) : rate; };
   std::string text = row("part", "evaluations", "left", "time");
   Workload sum = {};
+  double seconds = 0.0;
   for (const Workload& load : workloads(parameters))
   {
-    text += row(toString(load.part), toText(load.evaluations), toText(load.left), timeOf(load.left));
+    const double own = load.left > 0 ? static_cast<double>(load.left) / rate_of(load.part) : 0.0;
+    text += row(toString(load.part), toText(load.evaluations), toText(load.left), durationText(own));
     sum.evaluations += load.evaluations;
     sum.left += load.left;
+    seconds += own;
   }
-  return text + row("all", toText(sum.evaluations), toText(sum.left), timeOf(sum.left)) + "at " + fixedText(rate, 1) +
-         " evaluations/s, measured on this machine with " + toText(threads) + (threads == 1 ? " worker" : " workers");
+  return text + row("all", toText(sum.evaluations), toText(sum.left), durationText(seconds)) + "at " +
+         fixedText(rate, 1) + " evaluations/s, measured on this machine with " + toText(threads) +
+         (threads == 1 ? " worker" : " workers");
 }
 }  // namespace devo_evo

@@ -2,7 +2,9 @@
 
 #include "devo_evo/bodies/bodies.h"
 #include "devo_evo/evolution/genome.h"
+#include "devo_evo/rigid_body/quadruped.h"
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <thread>
@@ -60,5 +62,23 @@ double evaluationsPerSecond(const SoftBodySettings& body, int threads, Instructi
   const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
   const double steps_of_a_life = (SETTLING_TIME + body.lifetime) / body.timeStep();
   return static_cast<double>(steps * lanes) / steps_of_a_life / seconds;
+}
+
+double quadrupedsPerSecond(const RigidBodySettings& world, int threads)
+{
+  RigidBodySettings endless = world;
+  endless.lifetime = std::min(1000.0, 1e6 * world.time_step);  // within what settings allow
+  QuadrupedProgram program;
+  program.leg_length_initial.fill(0.5);
+  program.leg_length_final.fill(0.5);
+  QuadrupedSimulation simulation(endless, program);
+  const Clock::time_point start = Clock::now();
+  while (Clock::now() < start + MEASURED && !simulation.finished())
+  {
+    simulation.step();
+  }
+  const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  const auto steps_of_a_life = static_cast<double>(world.stepCount());
+  return threads * static_cast<double>(simulation.stepCount()) / steps_of_a_life / seconds;
 }
 }  // namespace devo_evo

@@ -101,8 +101,13 @@ private:
 
   RunOutcome evolve(const Arm& arm)
   {
-    const auto archive = openArchiveForWriting(arm.settings, provenance_);
-    const auto farm = make_farm_(arm.settings.body.soft);
+    Provenance provenance = provenance_;
+    if (arm.settings.body.kind != parameters_.experiment.body.kind)
+    {
+      provenance.engine_fingerprint = makeBody(arm.settings.body)->engineFingerprint(bestInstructionSet());
+    }
+    const auto archive = openArchiveForWriting(arm.settings, provenance);
+    const auto farm = make_farm_(arm.settings.body);
     ArmObserver observer(arm, observer_);
     Experiment experiment(arm.settings, *archive, *farm, observer);
     observer.watch(experiment);

@@ -15,7 +15,7 @@ namespace
 const char* const TABLES = R"(
 CREATE TABLE arms (  -- the experiments of the study
   arm           TEXT NOT NULL PRIMARY KEY,  -- also its folder within the study's
-  part          TEXT NOT NULL,  -- main, partial, baselines or sweep
+  part          TEXT NOT NULL,  -- main, partial, baselines, sweep or rigid
   treatment     TEXT NOT NULL,
   profile       TEXT NOT NULL,
   mutation_rate TEXT NOT NULL,

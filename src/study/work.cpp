@@ -84,7 +84,7 @@ private:
     }
     if (!requests.empty())
     {
-      farm_ = farm_ ? std::move(farm_) : make_farm_(body_);
+      farm_ = farm_ ? std::move(farm_) : make_farm_(BodySettings(body_));
     }
     // A farm may keep results back until all of what was submitted together is done.
     for (auto begin = requests.begin(); begin != requests.end();)

@@ -14,7 +14,7 @@ VOXELS = 48
 
 
 @functools.lru_cache(maxsize=None)
-def _empty_archive():
+def _empty_archive(body="soft"):
     """The bytes of an archive that the tool made, to be filled with something else."""
     with tempfile.TemporaryDirectory() as folder:
         subprocess.run(
@@ -27,7 +27,9 @@ def _empty_archive():
                 "0",
                 "--population",
                 "2",
-                "--lifetime",
+                "--body",
+                body,
+                "--lifetime" if body == "soft" else "--rigid_lifetime",
                 "0.001",
                 "--threads",
                 "1",
@@ -54,18 +56,20 @@ def phenotype(*words):
 class Experiment:
     """An archive in which each trial is one line of descent: every newcomer is the child of the last one."""
 
+    BODY = "soft"
+
     def __init__(self, folder, treatment="evo_devo", **parameters):
         self.folder = pathlib.Path(folder)
         self.folder.mkdir(parents=True, exist_ok=True)
         path = self.folder / "experiment.db"
-        path.write_bytes(_empty_archive())
+        path.write_bytes(_empty_archive(self.BODY))
         self.database = sqlite3.connect(path)
         for table in ("individuals", "genomes", "generations", "survivors"):
             self.database.execute(f"DELETE FROM {table}")
         for name, value in {
             "treatment": treatment,
             "generations": 10,
-            "lifetime": 10,
+            "lifetime" if self.BODY == "soft" else "rigid_lifetime": 10,
             "population": 30,
             **parameters,
         }.items():
@@ -88,10 +92,7 @@ class Experiment:
             )
             if value is not None and (best is None or value >= best):
                 best, champion = value, number
-            self.database.execute(
-                "INSERT INTO generations VALUES (?, ?, ?, ?, ?)", (trial, int(generation), champion, best, best)
-            )
-            self.database.execute("INSERT INTO survivors VALUES (?, ?, 1, ?)", (trial, int(generation), champion))
+            self.add_survivors(trial, generation, champion, best)
         return champion
 
     def add_robot(self, trial, number, parent, generation, fitness, body=0.0, control=0.0, turns=0.0):
@@ -118,6 +119,13 @@ class Experiment:
             ),
         )
 
+    def add_survivors(self, trial, generation, champion, best):
+        """One generation, with its champion alone as a survivor."""
+        self.database.execute(
+            "INSERT INTO generations VALUES (?, ?, ?, ?, ?)", (trial, int(generation), champion, best, best)
+        )
+        self.database.execute("INSERT INTO survivors VALUES (?, ?, 1, ?)", (trial, int(generation), champion))
+
     def add_genome(self, trial, number, genome):
         """The genome of an individual."""
         self.database.execute(
@@ -138,6 +146,40 @@ class Experiment:
         self.database.commit()
         self.database.close()
         return self.folder
+
+
+class RigidExperiment(Experiment):
+    """The same of quadrupeds."""
+
+    BODY = "rigid"
+
+    def add_quadruped(self, trial, number, parent, generation, **values):
+        """One individual. values: of columns; what is not given is 0, or NULL for times."""
+        columns = {
+            "fitness": 0.0025,
+            "descent": 1.0,
+            "sideways": 0.0,
+            "turns": 0.0,
+            "morphology_window": 0.0,
+            "control_window": 0.0,
+            "first_roll_since_birth_s": None,
+            **values,
+        }
+        names = list(columns)
+        self.database.execute(
+            f"INSERT INTO individuals (trial, id, parent, generation, age, valid, {', '.join(names)}, state_hash, "
+            f"phenotype_hash, genome_hash) VALUES (?, ?, ?, ?, 0, 1, {', '.join('?' * len(names))}, ?, ?, ?)",
+            (
+                trial,
+                number,
+                parent,
+                int(generation),
+                *(_float(columns[name]) for name in names),
+                bytes(8),
+                phenotype(str(self.folder), trial, number),
+                bytes(16),
+            ),
+        )
 
 
 def _float(value):

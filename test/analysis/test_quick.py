@@ -22,6 +22,7 @@ TREATMENTS = ("evo", "evo_devo")
 BASELINES = ("neutral", "random_search")
 TRIALS, GENERATIONS, WALKS, WALK_STEPS = 3, 20, 3, 20
 SWEEP_TRIALS, SWEEP_GENERATIONS = 2, 10
+RIGID_TRIALS, RIGID_GENERATIONS = 2, 2
 WORLDS = 17  # with the one that robots evolved in
 
 
@@ -50,7 +51,7 @@ class QuickStudyTest(unittest.TestCase):
         self.assertEqual([part for part, _, _ in rows], parts + ["all"])
         self.assertEqual(
             parts,
-            ["main", "removed", "walks", "lineages", "traces", "robustness", "impact", "baselines", "sweep"],
+            ["main", "removed", "walks", "lineages", "traces", "robustness", "impact", "baselines", "sweep", "rigid"],
         )
         self.assertEqual({left for _, _, left in rows}, {"0"}, estimate)
         self.assertGreater(int(rows[-1][1]), 9000)
@@ -67,6 +68,7 @@ class QuickStudyTest(unittest.TestCase):
                 for rate in LAMBDAS
             }
         )
+        arms.update({f"rigid/{treatment}": (RIGID_TRIALS, RIGID_GENERATIONS) for treatment in TREATMENTS})
         self.assertEqual(set(self.study.arms["arm"]), set(arms))
         for arm, (trials, generations) in arms.items():
             table = self.study.archive(arm).trials()
@@ -108,6 +110,9 @@ class QuickStudyTest(unittest.TestCase):
     def test_every_figure_says_what_it_is_made_of(self):
         for name, drawing in self.drawings.items():
             notes = " ".join(drawing.notes)
+            if name == "S5":
+                self.assertEqual(notes.count(f"{RIGID_TRIALS} trials, {RIGID_GENERATIONS} generations"), 2)
+                continue
             self.assertRegex(notes, r"Profile paper\.|profile paper", name)
             if name in ("S3", "S4"):
                 continue  # of the sweep, and of no evolution at all

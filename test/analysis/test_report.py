@@ -48,7 +48,7 @@ class ReportTest(unittest.TestCase):
         page = (self.study / "report" / "report.html").read_text(encoding="utf-8")
         body = re.sub(r"<!DOCTYPE html>|<meta[^>]*>|<img[^>]*>", "", page)
         xml.dom.minidom.parseString(body)
-        self.assertEqual(len(re.findall(r'src="data:image/png;base64,', page)), 11)
+        self.assertEqual(len(re.findall(r'src="data:image/png;base64,', page)), 12)
         self.assertNotRegex(page, r'(?:src|href)="(?!data:)')
         self.assertIn("Report on my &lt;study&gt;", page)
 

@@ -126,9 +126,9 @@ TEST(RigidExperiment, IsNotResumedWithAnotherBodyOrAnotherSlope)
                 .find("body is rigid there and soft here"),
             std::string::npos);
   ExperimentSettings steep = shortExperiment(folder.path());
-  steep.body.rigid.slope = 3.0;
+  steep.body.rigid.slope = 4.0;
   EXPECT_NE(messageOf<ArchiveError>([&] { openArchiveForWriting(steep, someProvenance()); })
-                .find("rigid_slope is 2 there and 3 here"),
+                .find("rigid_slope is 3 there and 4 here"),
             std::string::npos);
 }
 
@@ -142,7 +142,7 @@ TEST(RigidExperiment, ParametersOfTheOtherBodyAreRefused)
   soft.output = "/tmp";
   soft.body.rigid.slope = 5.0;
   EXPECT_EQ(messageOf<InvalidInput>([&] { soft.validate(); }),
-            "rigid_slope is 5, but it is a parameter of rigid bodies, and body is soft; leave it at 2");
+            "rigid_slope is 5, but it is a parameter of rigid bodies, and body is soft; leave it at 3");
 }
 
 TEST(RigidExperiment, FoundersOfTheOtherBodyAreRefused)

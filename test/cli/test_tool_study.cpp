@@ -25,6 +25,8 @@ std::vector<std::string> tinyStudy(const std::string& output, const std::vector<
                                                                                      { "baseline_generations", "1" },
                                                                                      { "sweep_generations", "1" },
                                                                                      { "sweep_48ths", "48" },
+                                                                                     { "rigid_trials", "1" },
+                                                                                     { "rigid_generations", "1" },
                                                                                      { "walks", "1" },
                                                                                      { "walk_steps", "4" },
                                                                                      { "neutral_lineages", "2" },
@@ -51,9 +53,10 @@ void waitUntilSaid(const ToolProcess& process, const std::string& text)
 std::string digestsOf(const std::string& study)
 {
   std::string digests;
-  for (const std::string arm : { "main/evo", "main/evo_devo", "baselines/evo-neutral", "baselines/evo-random_search",
-                                 "baselines/evo_devo-neutral", "baselines/evo_devo-random_search", "sweep/evo-48_48",
-                                 "sweep/evo_devo-48_48", "partial/evo_devo_body", "partial/evo_devo_control" })
+  for (const std::string arm :
+       { "main/evo", "main/evo_devo", "baselines/evo-neutral", "baselines/evo-random_search",
+         "baselines/evo_devo-neutral", "baselines/evo_devo-random_search", "sweep/evo-48_48", "rigid/evo",
+         "rigid/evo_devo", "sweep/evo_devo-48_48", "partial/evo_devo_body", "partial/evo_devo_control" })
   {
     digests += arm + " " + runTool({ "digest", study + "/" + arm }).out;
   }
@@ -62,7 +65,7 @@ std::string digestsOf(const std::string& study)
 
 const std::vector<std::string> EVERYTHING = { "--only",
                                               "main,removed,walks,lineages,traces,robustness,impact,baselines,sweep,"
-                                              "partial" };
+                                              "partial,rigid" };
 }  // namespace
 
 TEST(StudyCommand, isTheSameOnAnyThreadsAndInstructionsHoweverOftenItIsKilled)

@@ -19,7 +19,7 @@ TEST(Tool, HelpsWithEveryCommand)
 {
   EXPECT_NE(runTool({ "--help" }).out.find("evaluate"), std::string::npos);
   for (const std::string command : { "evaluate", "evolve", "digest", "study", "verify", "diff", "info", "export",
-                                     "import", "explain", "manual", "parameters", "render", "overview" })
+                                     "import", "explain", "manual", "parameters", "render", "overview", "gait_map" })
   {
     const ToolResult result = runTool({ command, "--help" });
     EXPECT_EQ(result.status, 0) << command;
@@ -71,7 +71,7 @@ TEST(Tool, NamesTheCommandOrParameterProbablyMeant)
 {
   EXPECT_EQ(runTool({ "dance" }).err,
             "devo_evo: error: there is no command \"dance\"; the commands are evaluate, evolve, digest, study, verify, "
-            "diff, info, export, import, explain, manual, parameters, render, overview, figures, report\n");
+            "diff, info, export, import, explain, manual, parameters, render, overview, gait_map, figures, report\n");
   EXPECT_EQ(runTool({ "evolve", "--lifetme", "3" }).err,
             "devo_evo: error: --lifetme: there is no parameter \"lifetme\"; the closest is lifetime\n");
 }

@@ -305,6 +305,23 @@ TEST_F(YamlFile, ComplaintsStayShortAndCyclesEnd)
   EXPECT_NE(complaintOf("grid: &cycle [*cycle, *cycle, *cycle]\n"), "");
 }
 
+TEST(Parameters, TheFileOfTheRigidBodyHasAllOfItsParametersAtTheirDefaults)
+{
+  const std::string path = PROJECT_DIR "/config/rigid.yaml";
+  const std::string content = contentOf(path);
+  Parameters parameters;
+  loadParameters(parameters, path);
+  EXPECT_EQ(parameters.experiment.body.kind, BodyKind::RIGID);
+  for (const ParameterSpec& spec : parameterSpecs())
+  {
+    if (spec.body == BodyKind::RIGID)
+    {
+      EXPECT_EQ(spec.get(parameters), spec.default_text) << spec.name;
+      EXPECT_NE(content.find("\n" + spec.name + ": "), std::string::npos) << spec.name;
+    }
+  }
+}
+
 TEST(Documentation, TheConfigurationFileListsEveryParameterAtItsDefault)
 {
   const std::string path = PROJECT_DIR "/config/experiment.yaml";

@@ -55,7 +55,9 @@ TEST(StudyParts, areReadByNameAndRunInTheirOrder)
   EXPECT_TRUE(parseStudyParts("").empty());
   EXPECT_THROW(parseStudyParts("main,"), InvalidInput);
   EXPECT_THROW(parseStudyParts("dance"), InvalidInput);
-  EXPECT_EQ(toString(partsOf(StudySettings())), "main,removed,walks,lineages,traces,robustness,impact,baselines,sweep");
+  EXPECT_EQ(toString(partsOf(StudySettings())),
+            "main,removed,walks,lineages,traces,robustness,impact,baselines,sweep,"
+            "rigid");
 }
 
 TEST(Lists, areReadHoweverTheyAreWritten)

@@ -22,7 +22,7 @@ ShownRobot roller(double lifetime)
 {
   SoftBodySettings body;
   body.lifetime = lifetime;
-  return readRobotFile(TEST_DATA_DIR "/genomes.jsonl", "roller-11", body);
+  return readRobotFile(TEST_DATA_DIR "/genomes.jsonl", "roller-11", BodySettings(body));
 }
 
 ArchivedIndividual individualOf(int64_t generation, double fitness)
@@ -48,8 +48,8 @@ TEST(LifeScene, EndsWhereTheEvaluationEnds)
     ++pictures;
   }
   EXPECT_EQ(pictures, 26) << "25 a second, the first at birth";
-  EXPECT_NEAR(life.readings().travelled, evaluate(robot.body, { robot.program }).front().fitness, 1e-12);
-  EXPECT_EQ(life.evaluation().state_hash, evaluate(robot.body, { robot.program }).front().state_hash);
+  EXPECT_NEAR(life.readings().travelled, evaluate(robot.body.soft, { robot.program }).front().fitness, 1e-12);
+  EXPECT_EQ(life.evaluation().state_hash, evaluate(robot.body.soft, { robot.program }).front().state_hash);
   EXPECT_FALSE(life.next());
 }
 
@@ -114,14 +114,15 @@ TEST(StepsOfProgress, AreWhoFirstGetsThatFar)
 
 TEST(BehaviourText, TellsWalkersFromRollers)
 {
+  const std::shared_ptr<const Body> body = makeBody(BodySettings());
   Evaluation evaluation = *individualOf(0, 6.0).individual.evaluation;
-  EXPECT_EQ(behaviourText(evaluation), "walks");
+  EXPECT_EQ(behaviourText(evaluation, *body), "walks");
   evaluation.fell_over_since_birth_s = 9.06;
-  EXPECT_EQ(behaviourText(evaluation), "walks and falls over 9.1 s after birth");
+  EXPECT_EQ(behaviourText(evaluation, *body), "walks and falls over 9.1 s after birth");
   evaluation.turns = 8.7;
-  EXPECT_EQ(behaviourText(evaluation), "rolls 9 times, first on its back 9.1 s after birth");
-  EXPECT_EQ(behaviourText(*individualOf(0, 0.2).individual.evaluation), "shuffles");
-  EXPECT_EQ(behaviourText(Evaluation()), "its simulation diverges");
+  EXPECT_EQ(behaviourText(evaluation, *body), "rolls 9 times, first on its back 9.1 s after birth");
+  EXPECT_EQ(behaviourText(*individualOf(0, 0.2).individual.evaluation, *body), "shuffles");
+  EXPECT_EQ(behaviourText(Evaluation(), *body), "its simulation diverges");
 }
 
 TEST(PictureOfLife, ShowsTheRobotInColourInTheMiddle)

@@ -44,7 +44,8 @@ ColouredTriangles block(const Eigen::Vector3f& colour, const Eigen::Vector3f& ce
   SoftBodySettings settings = bodyOf(1, 1, 1);
   settings.voxel_size = 0.04;
   ColouredTriangles triangles =
-      robotTriangles(RobotMesh(settings), restingFrame(settings), Colouring::RESTING_LENGTH, settings.voxel_size);
+      robotTriangles(*makeAppearance(BodySettings(settings)), restingFrame(settings), Colouring::RESTING_LENGTH)
+          .front();
   for (Eigen::Vector3f& corner : triangles.corners)
   {
     corner += center - Eigen::Vector3f::Constant(0.02f);
@@ -166,6 +167,44 @@ TEST(ScenePainter, DrawsLinesOnTheFloorInTheirColour)
   EXPECT_NEAR(part.x, WIDTH / 2, 1.0);
 }
 
+/// Two triangles that face the camera of sideView(), 0.04 m wide and high, 0.02 m above the floor.
+ColouredTriangles plate(const Eigen::Vector3f& normal)
+{
+  ColouredTriangles plate;
+  const Eigen::Vector3f a(0.0f, -0.02f, 0.02f), b(0.0f, 0.02f, 0.02f), c(0.0f, 0.02f, 0.06f), d(0.0f, -0.02f, 0.06f);
+  plate.corners = { a, b, c, a, c, d };
+  plate.colours.assign(6, RED);
+  plate.normals.assign(6, normal);
+  return plate;
+}
+
+TEST(ScenePainter, ShadesSmoothSurfacesByTheirNormalsAndWithoutOutlines)
+{
+  Scene scene;
+  scene.bodies = { plate({ 1.0f, 0.0f, 0.0f }) };
+  ScenePainter painter(WIDTH, HEIGHT);
+  const Image facing = painter.paint(scene, sideView());
+  const double side = 0.04 * PIXELS_PER_METRE;
+  EXPECT_NEAR(redPart(facing).area, side * side, 2 * side) << "up to its edge";
+  scene.bodies = { plate({ 0.0f, -1.0f, 0.0f }) };
+  const Image averted = painter.paint(scene, sideView());
+  const Eigen::Vector3d middle(0.0, 0.0, 0.04);
+  EXPECT_GT(brightnessAt(facing, sideView(), middle), brightnessAt(averted, sideView(), middle) + 20);
+}
+
+TEST(ScenePainter, DrawsSceneryWithoutShadow)
+{
+  Scene with_body, with_scenery;
+  with_body.floor.lines = with_scenery.floor.lines = false;
+  with_body.bodies = { block(RED) };
+  with_scenery.scenery = { block(RED) };
+  ScenePainter painter(WIDTH, HEIGHT);
+  const Image body = painter.paint(with_body, topView()), scenery = painter.paint(with_scenery, topView());
+  EXPECT_EQ(redPart(body).area, redPart(scenery).area);
+  const Eigen::Vector3d shadow(-0.029, -0.01, 0.0);
+  EXPECT_LT(brightnessAt(body, topView(), shadow), brightnessAt(scenery, topView(), shadow) - 60);
+}
+
 TEST(ScenePainter, GivesTheSamePictureAgain)
 {
   Scene scene;
@@ -204,6 +243,19 @@ TEST(Camera, PlacesPointsAsThePictureShowsThem)
   const Eigen::Vector2d upper_right = sideView().toPicture({ 0.0, 0.08, 0.10 }, WIDTH, HEIGHT);
   EXPECT_NEAR(upper_right.x(), WIDTH, 1e-9);
   EXPECT_NEAR(upper_right.y(), 0.0, 1e-9);
+}
+
+TEST(Camera, StandsLevelOnASlope)
+{
+  Camera camera = sideView();
+  camera.target = { 0.0, 0.02, 0.0 };
+  camera.slope = 0.1;
+  const Eigen::Vector2d middle = camera.toPicture(camera.target, WIDTH, HEIGHT);
+  const Eigen::Vector2d ahead = camera.toPicture({ 0.0, 0.06, 0.0 }, WIDTH, HEIGHT);
+  EXPECT_NEAR(middle.x(), WIDTH / 2, 1e-9);
+  EXPECT_NEAR(middle.y(), HEIGHT / 2, 1e-9);
+  EXPECT_NEAR(ahead.x() - middle.x(), 0.04 * std::cos(0.1) * PIXELS_PER_METRE, 1e-9);
+  EXPECT_NEAR(ahead.y() - middle.y(), 0.04 * std::sin(0.1) * PIXELS_PER_METRE, 1e-9) << "lower down the slope";
 }
 }  // namespace
 }  // namespace devo_evo

@@ -16,9 +16,9 @@ inline RobotFrame restingFrame(const SoftBodySettings& settings)
   for (int voxel = 0; voxel < lattice.voxelCount(); ++voxel)
   {
     const auto [x, y, z] = lattice.coordinates(voxel);
-    frame.voxels.push_back(
+    frame.parts.push_back(
         { L * Eigen::Vector3d(x + 0.5, y + 0.5, z + 0.5), Eigen::Quaterniond::Identity(), L, L, 0.0, 0.0 });
-    frame.center_of_mass += frame.voxels.back().position / lattice.voxelCount();
+    frame.center_of_mass += frame.parts.back().position / lattice.voxelCount();
   }
   return frame;
 }

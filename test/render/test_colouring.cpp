@@ -1,6 +1,6 @@
 #include "devo_evo/render/colouring.h"
 
-#include "devo_evo/soft_body/settings.h"
+#include "devo_evo/render/appearance.h"
 
 #include <gtest/gtest.h>
 
@@ -24,9 +24,19 @@ void expectColour(const Colour& colour, float red, float green, float blue)
   EXPECT_NEAR(colour.blue, blue, 1e-6);
 }
 
-ShownVoxel voxelOf(double present, double resting, double remaining, double phase)
+ShownPart voxelOf(double present, double resting, double remaining, double phase)
 {
   return { Eigen::Vector3d::Zero(), Eigen::Quaterniond::Identity(), present, resting, remaining, phase };
+}
+
+/// As the only voxel of a body of this pitch.
+Colour colourOf(const ShownPart& voxel, Colouring colouring)
+{
+  SoftBodySettings settings;
+  settings.voxel_size = L;
+  RobotFrame frame;
+  frame.parts = { voxel };
+  return makeAppearance(BodySettings(settings))->colourOf(frame, 0, colouring);
 }
 
 TEST(Colouring, JetGoesFromBlueOverGreenToRed)
@@ -62,7 +72,7 @@ TEST(Colouring, SmallVoxelsAreBlueMediumOnesGreenLargeOnesRed)
 {
   for (const Colouring colouring : { Colouring::RESTING_LENGTH, Colouring::PRESENT_LENGTH })
   {
-    const auto colour = [&](double length) { return colourOf(voxelOf(length, length, 0.0, 0.0), colouring, L); };
+    const auto colour = [&](double length) { return colourOf(voxelOf(length, length, 0.0, 0.0), colouring); };
     expectColour(colour(0.0015), 0, 0, 1);
     expectColour(colour(0.0090), 0, 1, 0);  // 0.9 / 1.5 - 0.1 = 0.5
     expectColour(colour(0.0165), 1, 0, 0);
@@ -71,15 +81,15 @@ TEST(Colouring, SmallVoxelsAreBlueMediumOnesGreenLargeOnesRed)
 
 TEST(Colouring, RestingAndPresentLengthAreTwoThings)
 {
-  const ShownVoxel voxel = voxelOf(0.0165, 0.0090, 0.0, 0.0);
-  expectColour(colourOf(voxel, Colouring::RESTING_LENGTH, L), 0, 1, 0);
-  expectColour(colourOf(voxel, Colouring::PRESENT_LENGTH, L), 1, 0, 0);
+  const ShownPart voxel = voxelOf(0.0165, 0.0090, 0.0, 0.0);
+  expectColour(colourOf(voxel, Colouring::RESTING_LENGTH), 0, 1, 0);
+  expectColour(colourOf(voxel, Colouring::PRESENT_LENGTH), 1, 0, 0);
 }
 
 TEST(Colouring, ShrinkingVoxelsAreBlueGrowingOnesRedOthersGreen)
 {
   const auto colour = [&](double remaining)
-  { return colourOf(voxelOf(L, L, remaining, 0.0), Colouring::REMAINING_DEVELOPMENT, L); };
+  { return colourOf(voxelOf(L, L, remaining, 0.0), Colouring::REMAINING_DEVELOPMENT); };
   expectColour(colour(-0.0075), 0, 0, 1);
   expectColour(colour(0.0), 0, 1, 0);
   expectColour(colour(0.0075), 1, 0, 0);
@@ -87,7 +97,7 @@ TEST(Colouring, ShrinkingVoxelsAreBlueGrowingOnesRedOthersGreen)
 
 TEST(Colouring, PhasesOneCycleApartLookAlike)
 {
-  const auto colour = [&](double phase) { return colourOf(voxelOf(L, L, 0.0, phase), Colouring::PHASE, L); };
+  const auto colour = [&](double phase) { return colourOf(voxelOf(L, L, 0.0, phase), Colouring::PHASE); };
   expectColour(colour(0.0), 0, 1, 1);
   expectColour(colour(0.5), 1, 0, 0);
   expectColour(colour(-0.5), 1, 0, 0);

@@ -97,9 +97,9 @@ TEST(RobotMesh, NeighboursMeetAtTheMiddleOfTheirBond)
   // middle, on that side, and at half its length on the other.
   const SoftBodySettings body = bodyOf(2, 1, 1);
   RobotFrame frame = restingFrame(body);
-  frame.voxels[0].position = { 0.0, 0.0, 0.0 };
-  frame.voxels[1].position = { 0.016, 0.0, 0.0 };
-  frame.voxels[1].present_length = 0.02;
+  frame.parts[0].position = { 0.0, 0.0, 0.0 };
+  frame.parts[1].position = { 0.016, 0.0, 0.0 };
+  frame.parts[1].present_length = 0.02;
   const RobotMesh mesh(body);
   const std::vector<Eigen::Vector3d> vertices = mesh.vertices(frame);
   EXPECT_LT((vertices[0] - Eigen::Vector3d(-0.005, -0.005, -0.005)).norm(), 1e-12);
@@ -115,7 +115,7 @@ TEST(RobotMesh, MovesWithTheBody)
   const std::vector<Eigen::Vector3d> before = mesh.vertices(frame);
   const Eigen::Quaterniond turn(Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized()));
   const Eigen::Vector3d shift(0.1, -0.2, 0.3);
-  for (ShownVoxel& voxel : frame.voxels)
+  for (ShownPart& voxel : frame.parts)
   {
     voxel.position = turn * voxel.position + shift;
     voxel.orientation = turn * voxel.orientation;
@@ -131,7 +131,7 @@ TEST(RobotMesh, ALivingRobotFillsAboutTheSpaceOfItsVoxels)
 {
   SoftBodySettings body;
   body.lifetime = 1.0;
-  LifePlayback playback(body, scrambledRobot(body, 3));
+  LifePlayback playback(BodySettings(body), scrambledRobot(body, 3));
   const RobotMesh mesh(body);
   for (const double time : { 0.0, 0.5, 0.9 })
   {
@@ -139,14 +139,14 @@ TEST(RobotMesh, ALivingRobotFillsAboutTheSpaceOfItsVoxels)
     const RobotFrame frame = playback.frame();
     const std::vector<Eigen::Vector3d> vertices = mesh.vertices(frame);
     double volume = 0.0;
-    for (const ShownVoxel& voxel : frame.voxels)
+    for (const ShownPart& voxel : frame.parts)
     {
       volume += voxel.present_length * voxel.present_length * voxel.present_length;
     }
     EXPECT_NEAR(enclosedVolume(mesh, vertices) / volume, 1.0, 0.35);
     for (const RobotMesh::Face& face : mesh.faces())  // each face is near the voxel that it belongs to
     {
-      const ShownVoxel& voxel = frame.voxels[static_cast<size_t>(face.voxel)];
+      const ShownPart& voxel = frame.parts[static_cast<size_t>(face.voxel)];
       EXPECT_NEAR((centerOf(face, vertices) - voxel.position).norm(), voxel.present_length / 2, body.voxel_size / 2);
     }
   }

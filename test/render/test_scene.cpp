@@ -49,7 +49,8 @@ LifeSurvey wayTo(double x, double y)
 
 TEST(FloorPlan, LinesAreABodyLengthApartCountedFromTheBirthplace)
 {
-  const FloorPlan plan = floorPlan(wayTo(0.02, 0.50), SoftBodySettings{});  // 12 body lengths of 4 cm
+  const FloorPlan plan =
+      floorPlan(wayTo(0.02, 0.50), makeAppearance(BodySettings())->surroundings());  // 12 body lengths of 4 cm
   EXPECT_EQ(plan.body_length, 0.04);
   EXPECT_NEAR(plan.area.min().y(), 0.02 - 3 * 0.04, 1e-12);
   EXPECT_NEAR(plan.area.max().y(), 0.02 + 15 * 0.04, 1e-12);
@@ -65,7 +66,7 @@ TEST(FloorPlan, LinesAreABodyLengthApartCountedFromTheBirthplace)
 
 TEST(FloorPlan, ReachesWhereverTheRobotGoes)
 {
-  const FloorPlan plan = floorPlan(wayTo(-0.5, -0.9), SoftBodySettings{});
+  const FloorPlan plan = floorPlan(wayTo(-0.5, -0.9), makeAppearance(BodySettings())->surroundings());
   EXPECT_LT(plan.area.min().x(), -0.5);
   EXPECT_LT(plan.area.min().y(), -0.9);
   EXPECT_EQ(plan.labels.front().second, "-25");
@@ -73,14 +74,14 @@ TEST(FloorPlan, ReachesWhereverTheRobotGoes)
 
 TEST(FloorPlan, IsBoundedHoweverFarARobotIsThrown)
 {
-  const FloorPlan plan = floorPlan(wayTo(1e200, -1e200), SoftBodySettings{});
+  const FloorPlan plan = floorPlan(wayTo(1e200, -1e200), makeAppearance(BodySettings())->surroundings());
   EXPECT_LT(plan.lines.size(), 2200u);
 }
 
 TEST(FloorPlan, OfALifeThatDivergedAtOnceIsAroundTheBirthplace)
 {
   LifeSurvey life;
-  const FloorPlan plan = floorPlan(life, SoftBodySettings{});
+  const FloorPlan plan = floorPlan(life, makeAppearance(BodySettings())->surroundings());
   EXPECT_EQ(plan.lines.size(), 14u);
 }
 }  // namespace

@@ -70,7 +70,7 @@ TEST(ShownRobot, OfAnArchiveLivesAsItsRecordSays)
     const auto robot = findRobot(*archive, parseRobotChoice(choice));
     ASSERT_TRUE(robot) << choice;
     ASSERT_TRUE(robot->recorded && robot->descent);
-    EXPECT_EQ(robot->body.lifetime, 0.2);
+    EXPECT_EQ(robot->body.soft.lifetime, 0.2);
     const LifeSurvey life = surveyLife(*robot);
     EXPECT_EQ(disagreement(*robot, life.evaluation), "");
     EXPECT_EQ(life.evaluation.fitness, robot->recorded->fitness);
@@ -162,20 +162,20 @@ TEST(Caption, NamesTheRobotAndWhatItDoes)
   Evaluation evaluation;
   evaluation.valid = true;
   evaluation.fitness = 12.345;
-  EXPECT_EQ(captionText(robot, evaluation, 3.2), "3/1042\nfitness 12.35 body lengths, 3.20 s");
+  EXPECT_EQ(captionText(robot, evaluation, 3.2), "3/1042\nfitness 12.345 body lengths, 3.20 s");
   robot.descent = Descent{ 3, 1042, 412, 37, "evo_devo", 0.3, 0.4 };
   EXPECT_EQ(captionText(robot, evaluation, 3.2),
-            "3/1042, evo_devo, generation 412, age 37\nfitness 12.35 body lengths, 3.20 s");
+            "3/1042, evo_devo, generation 412, age 37\nfitness 12.345 body lengths, 3.20 s");
   EXPECT_EQ(captionText(robot, Evaluation(), 0.5), "3/1042, evo_devo, generation 412, age 37\ndiverges, 0.50 s");
 }
 
 TEST(LifeSurvey, KnowsHowFarTheRobotCame)
 {
   ShownRobot robot;
-  robot.body.lifetime = 1.0;
-  robot.program = scrambledRobot(robot.body, 4);
+  robot.body.soft.lifetime = 1.0;
+  robot.program = scrambledRobot(robot.body.soft, 4);
   const LifeSurvey life = surveyLife(robot);
-  const double end_y = life.birthplace.y() + life.evaluation.displacement_y_voxels * robot.body.voxel_size;
+  const double end_y = life.birthplace.y() + life.evaluation.displacement_y_voxels * robot.body.soft.voxel_size;
   EXPECT_LE(life.extent.min().y(), end_y + 0.001);
   EXPECT_GE(life.extent.max().y(), end_y - 0.001);
 }

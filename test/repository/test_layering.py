@@ -18,13 +18,13 @@ LAYERS = {
     "farm": {"soft_body", "evolution"},
     "archive": {"soft_body", "evolution", "bodies", "experiment"},
     "experiment": {"soft_body", "evolution", "bodies", "farm", "archive"},
-    "render": {"soft_body", "evolution", "archive", "experiment"},
-    "study": {"soft_body", "evolution", "bodies", "farm", "archive", "experiment"},
+    "render": {"soft_body", "rigid_body", "evolution", "bodies", "archive", "experiment"},
+    "study": {"soft_body", "rigid_body", "evolution", "bodies", "farm", "archive", "experiment"},
     "verification": {"soft_body", "evolution", "farm", "archive", "experiment"},
-    "picture": {"soft_body", "evolution", "archive", "experiment", "render"},
+    "picture": {"soft_body", "evolution", "bodies", "archive", "experiment", "render"},
     "interchange": {"soft_body", "evolution", "archive", "experiment"},
     "explanation": {"experiment"},
-    "cli": {"soft_body", "evolution", "farm", "archive", "experiment", "study", "render", "verification", "picture",
+    "cli": {"soft_body", "evolution", "bodies", "farm", "archive", "experiment", "study", "render", "verification", "picture",
             "interchange", "explanation"},
 }
 ROS_HEADER = re.compile(r"^(ros|roscpp|rosbag|tf2|tf2_ros|\w+_msgs|std_srvs|diagnostic_updater)/"

@@ -31,6 +31,15 @@ inline QuadrupedProgram walker(double leg_length = 1.0)
   return withWeights(leg_length, { 1.0, 0.0, 1.0, 0.0, -1.0, 0.0, -1.0, 0.0 });
 }
 
+/// Trots on legs that are half out, and draws them in over its life.
+inline QuadrupedProgram latecomer()
+{
+  QuadrupedProgram program = withWeights(0.5, { 1.0, 0.0, -1.0, 0.0, -1.0, 0.0, 1.0, 0.0 });
+  program.leg_length_final.fill(0.0);
+  program.weight_final[1] = -0.4;
+  return program;
+}
+
 /// Short legs that push like a walker's.
 inline QuadrupedProgram roller()
 {

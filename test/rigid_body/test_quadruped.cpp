@@ -43,11 +43,11 @@ TEST(Light, FallsWithTheSquareOfTheDistance)
 
 TEST(Quadruped, FitnessOfAMotionlessRobotIsTheIntensityWhereItRests)
 {
-  // The abdomen rests on the floor, with its centre one radius above it and the light 20 m away and 1 m above it:
-  // 1 / (20^2 + (1 - 0.25)^2). It sinks in by 1.4 kg * 9.81 m/s^2 / 10 kN/m = 1.4 mm.
+  // The abdomen rests on the floor, with its centre one radius above it and the light 30 m away and 1 m above it:
+  // 1 / (30^2 + (1 - 0.25)^2). It sinks in by 1.4 kg * 9.81 m/s^2 / 10 kN/m = 1.4 mm.
   const QuadrupedEvaluation evaluation = evaluateQuadruped(onFlatFloor(), motionless(0.0));
   ASSERT_TRUE(evaluation.valid);
-  EXPECT_NEAR(evaluation.fitness, 1.0 / (400.0 + 0.75 * 0.75), 2e-8);
+  EXPECT_NEAR(evaluation.fitness, 1.0 / (900.0 + 0.75 * 0.75), 1e-8);
   EXPECT_NEAR(evaluation.descent, 0.0, 1e-3);
   EXPECT_NEAR(evaluation.turns, 0.0, 1e-3);
   EXPECT_EQ(evaluation.leg_contact, 0.0);
@@ -76,7 +76,7 @@ TEST(Quadruped, ASphereWithoutLegsRollsAsMechanicsSays)
   settings.leg_residual = 0.0;
   settings.leg_mass = 1e-4;
   const QuadrupedEvaluation evaluation = evaluateQuadruped(settings, motionless(0.0));
-  const double acceleration = 5.0 / 7.0 * 9.81 * std::sin(2.0 * DEGREE);
+  const double acceleration = 5.0 / 7.0 * 9.81 * std::sin(settings.slope * DEGREE);
   const double distance = 0.5 * acceleration * 3.0 * 3.0;
   EXPECT_NEAR(evaluation.descent, distance, 0.01 * distance);
   EXPECT_NEAR(evaluation.turns, distance / (2.0 * 180.0 * DEGREE * 0.25), 0.01 * evaluation.turns);
@@ -186,15 +186,40 @@ TEST(Quadruped, ARollerRollsFurtherThanAWalkerWalks)
   EXPECT_GT(rolling.fitness, 1.1 * evaluateQuadruped(settings, walker()).fitness);
 }
 
-TEST(Quadruped, ProtrudingLegsHinderRollingAndMotorsHelpIt)
+TEST(Quadruped, LegsThatProtrudeEvenAtTheirShortestSlowRolling)
+{
+  const RigidBodySettings settings;
+  RigidBodySettings smooth = settings;
+  smooth.leg_residual = 0.0;
+  const double passive = evaluateQuadruped(settings, motionless(0.0)).descent;
+  EXPECT_LT(passive, 0.9 * evaluateQuadruped(smooth, motionless(0.0)).descent);
+  EXPECT_GT(passive, 5.0) << "they do not stop it";
+  EXPECT_GT(evaluateQuadruped(settings, roller()).descent, 1.05 * passive) << "motors help it";
+  RigidBodySettings protruding = settings;
+  protruding.leg_residual = 0.08;
+  EXPECT_LT(evaluateQuadruped(protruding, roller()).turns, 0.5);
+}
+
+TEST(Quadruped, LegsThatAreOutALittleStopAPassiveRobotButNotAnActiveOne)
+{
+  const RigidBodySettings settings;
+  EXPECT_LT(evaluateQuadruped(settings, motionless(0.02)).turns, 0.5);
+  EXPECT_GT(evaluateQuadruped(settings, walker(0.02)).turns, 2.0);
+  EXPECT_LT(evaluateQuadruped(settings, walker(0.2)).turns, 0.5) << "these are too long";
+}
+
+TEST(Quadruped, DrawingLegsInStartsARollLateInLife)
 {
   RigidBodySettings settings;
-  const double rolled = evaluateQuadruped(settings, roller()).turns;
-  EXPECT_LT(evaluateQuadruped(settings, motionless(0.0)).turns, 0.5);  // stopped by its front legs
-  settings.leg_residual = 0.08;
-  EXPECT_LT(evaluateQuadruped(settings, roller()).turns, 0.5 * rolled);
-  settings.leg_residual = 0.0;
-  EXPECT_GT(evaluateQuadruped(settings, motionless(0.0)).turns, 1.1 * rolled);
+  for (const double time_step : { settings.time_step, 0.5 * settings.time_step })
+  {
+    settings.time_step = time_step;
+    const QuadrupedEvaluation late = evaluateQuadruped(settings, latecomer());
+    ASSERT_TRUE(late.first_roll_s);
+    EXPECT_GT(*late.first_roll_s, 8.0);
+    EXPECT_GT(late.velocity.back(), 0.5) << "it is still rolling at the end";
+    EXPECT_LT(std::abs(late.velocity[10]), 0.3) << "in the middle of its life it is on its legs";
+  }
 }
 
 TEST(Quadruped, GaitsDoNotHingeOnTheTimeStep)
@@ -204,8 +229,11 @@ TEST(Quadruped, GaitsDoNotHingeOnTheTimeStep)
   halved.time_step = 0.5 * settings.time_step;
   const double walked = evaluateQuadruped(settings, walker()).descent;
   EXPECT_NEAR(evaluateQuadruped(halved, walker()).descent, walked, 0.2 * walked);
-  const double rolled = evaluateQuadruped(settings, roller()).descent;
-  EXPECT_NEAR(evaluateQuadruped(halved, roller()).descent, rolled, 0.2 * rolled);
+  for (const QuadrupedProgram& rolling : { roller(), motionless(0.0) })
+  {
+    const double rolled = evaluateQuadruped(settings, rolling).descent;
+    EXPECT_NEAR(evaluateQuadruped(halved, rolling).descent, rolled, 0.02 * rolled);
+  }
 }
 
 TEST(Quadruped, LivesAreTheSameInAnyThreadAndWhateverTheRandomNumbersOfOde)

@@ -232,7 +232,7 @@ TEST_F(Panel, PlotsTheLineageOfTheRunningExperimentsBestChampion)
   EXPECT_TRUE(eventually([&] { return panel.text("errors").empty(); })) << panel.text("errors");
   EXPECT_EQ(panel.find<QComboBox>("trial").count(), 3) << "the best, and two trials";
   const QImage picture = panel.picture();
-  for (const LineageCurve& curve : lineageCurves())
+  for (const LineageCurve& curve : lineageCurves(*makeSoftBody(SoftBodySettings())))
   {
     EXPECT_GT(pixelsLike(picture, curve.colour), 100) << curve.title;
   }
@@ -251,7 +251,8 @@ TEST_F(Panel, AClickInThePlotShowsThatAncestor)
   EXPECT_TRUE(playerShows(nameOf(expected[2])));
   const QImage picture = panel.plot().grab().toImage();
   const int x = static_cast<int>(std::lround(panel.plot().xOf(2)));
-  EXPECT_GT(pixelsLike(picture.copy(x - 6, 0, 13, picture.height() / 3), lineageCurves()[0].colour), 30) << "its mark";
+  const LineageCurve fitness = lineageCurves(*makeSoftBody(SoftBodySettings()))[0];
+  EXPECT_GT(pixelsLike(picture.copy(x - 6, 0, 13, picture.height() / 3), fitness.colour), 30) << "its mark";
 }
 
 TEST_F(Panel, TheSliderLeadsAlongTheLineageToTheChampionThatIsFollowed)
@@ -335,6 +336,28 @@ TEST_F(Panel, AnotherTrialOrExperimentIsShownAtOnce)
   EXPECT_TRUE(knows(panel, lineage()));
   EXPECT_TRUE(playerShows(nameOf(lineage().back())));
   EXPECT_TRUE(eventually([&] { return trial.count() == 2; }));
+}
+
+TEST_F(Panel, ShowsLineagesOfQuadrupedsWithTheirLight)
+{
+  settings_.output = folder_.path() + "/rigid";
+  RigidBodySettings world;
+  world.lifetime = 0.2;
+  settings_.body = BodySettings(world);
+  settings_.generations = 5;
+  settings_.trials = 1;
+  evolveReally(settings_);
+  const ShownPanel panel;
+  panel.enter("experiment", settings_.output);
+  const std::vector<ArchivedIndividual> expected = lineage();
+  ASSERT_TRUE(knows(panel, expected)) << panel.text("errors");
+  EXPECT_TRUE(playerShows(nameOf(expected.back()))) << panel.text("errors");
+  const std::string fitness = makeBody(settings_.body)->fitnessText(expected.back().individual.evaluation->fitness);
+  EXPECT_TRUE(panel.says("description", "fitness " + fitness)) << panel.text("description");
+  // So small a fitness stands well above zero on its axis: its mark is in the upper half of the first plot.
+  const LineageCurve curve = lineageCurves(*makeBody(settings_.body))[0];
+  const QImage picture = panel.plot().grab().toImage();
+  EXPECT_GT(pixelsLike(picture.copy(0, 0, picture.width(), picture.height() / 6), curve.colour), 30);
 }
 
 TEST_F(Panel, KeepsItsSettingsInTheConfiguration)

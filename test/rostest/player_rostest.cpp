@@ -3,6 +3,7 @@
 #include "archive/test_tools.h"
 #include "devo_evo/experiment/experiment.h"
 #include "devo_evo/farm/local_farm.h"
+#include "devo_evo/render/appearance.h"
 #include "devo_evo/render/colouring.h"
 #include "devo_evo/render/robot_mesh.h"
 #include "devo_evo/render/shown_robot.h"
@@ -195,7 +196,7 @@ private:
 RobotFrame frameAt(const ShownRobot& robot, double time)
 {
   LifePlayback life(robot.body, robot.program);
-  life.advanceTo(time - 0.5 * robot.body.timeStep());
+  life.advanceTo(time - 0.5 * robot.body.soft.timeStep());
   EXPECT_EQ(life.time(), time);
   return life.frame();
 }
@@ -204,19 +205,19 @@ void expectRobot(const Screen& screen, const ShownRobot& robot, Colouring colour
 {
   const RobotFrame frame = frameAt(robot, screen.state_shown.time);
   const Eigen::Vector3d offset(offset_x, 0.0, 0.0);
-  const Marker voxels = screen.marker("voxels");
+  const Marker voxels = screen.marker("parts");
   ASSERT_EQ(voxels.points.size(), 48u);
   ASSERT_EQ(voxels.colors.size(), 48u);
   for (size_t voxel = 0; voxel < 48; ++voxel)
   {
-    EXPECT_LT((vectorOf(voxels.points[voxel]) - frame.voxels[voxel].position - offset).cwiseAbs().maxCoeff(), ROUNDING);
-    const Colour colour = colourOf(frame.voxels[voxel], colouring, robot.body.voxel_size);
+    EXPECT_LT((vectorOf(voxels.points[voxel]) - frame.parts[voxel].position - offset).cwiseAbs().maxCoeff(), ROUNDING);
+    const Colour colour = makeAppearance(robot.body)->colourOf(frame, voxel, colouring);
     EXPECT_EQ(voxels.colors[voxel].r, colour.red);
     EXPECT_EQ(voxels.colors[voxel].g, colour.green);
     EXPECT_EQ(voxels.colors[voxel].b, colour.blue);
   }
   const Marker body = screen.marker("body");
-  const RobotMesh mesh(robot.body);
+  const RobotMesh mesh(robot.body.soft);
   const std::vector<Eigen::Vector3d> vertices = mesh.vertices(frame);
   ASSERT_EQ(body.points.size(), 6 * mesh.faces().size());
   for (size_t face = 0; face < mesh.faces().size(); ++face)
@@ -250,7 +251,8 @@ protected:
   {
     SoftBodySettings body;
     body.lifetime = 1.0;
-    return readRobotFile(ros::package::getPath("devo_evo") + "/test/data/genomes.jsonl", "golden-005", body);
+    return readRobotFile(ros::package::getPath("devo_evo") + "/test/data/genomes.jsonl", "golden-005",
+                         BodySettings(body));
   }
 
   void TearDown() override
@@ -289,7 +291,7 @@ TEST_F(PlayerTest, BlocksFillAboutTheSpaceOfTheirVoxels)
 {
   ASSERT_TRUE(left_.shows("golden-005"));
   double volume = 0.0;
-  for (const ShownVoxel& voxel : frameAt(goldenRobot(), left_.state_shown.time).voxels)
+  for (const ShownPart& voxel : frameAt(goldenRobot(), left_.state_shown.time).parts)
   {
     volume += voxel.present_length * voxel.present_length * voxel.present_length;
   }

@@ -290,6 +290,36 @@ TEST_F(SimulatorTest, PublishesTheVelocityOfEveryRobot)
   }
 }
 
+/// What simulators show.
+class Display
+{
+public:
+  explicit Display(ros::NodeHandle& node) : subscriber_(node.subscribe("voxels", 100, &Display::took, this)) {}
+
+  bool isConnected() const { return subscriber_.getNumPublishers() == 3; }
+
+  /// Of all pictures so far, in the order in which they came.
+  std::vector<visualization_msgs::Marker> markers(const std::string& name_space) const
+  {
+    const auto found = markers_.find(name_space);
+    return found == markers_.end() ? std::vector<visualization_msgs::Marker>() : found->second;
+  }
+
+  size_t pictures() const { return markers("caption").size(); }
+
+private:
+  void took(const visualization_msgs::MarkerArray& picture)
+  {
+    for (const visualization_msgs::Marker& marker : picture.markers)
+    {
+      markers_[marker.ns].push_back(marker);
+    }
+  }
+
+  std::map<std::string, std::vector<visualization_msgs::Marker>> markers_;
+  ros::Subscriber subscriber_;
+};
+
 TEST_F(SimulatorTest, ShowsTheBestRobotOfItsLastBatchWhileSomebodySubscribes)
 {
   const SoftBodySettings settings = shortLife();
@@ -299,25 +329,47 @@ TEST_F(SimulatorTest, ShowsTheBestRobotOfItsLastBatchWhileSomebodySubscribes)
   const auto best = std::max_element(evaluations.begin(), evaluations.end(), worse) - evaluations.begin();
   ask("best", requestFor(requests, settings, 0));  // nobody subscribes yet: this batch is not shown
 
-  std::map<std::string, visualization_msgs::Marker> shown;
-  const boost::function<void(const visualization_msgs::MarkerArray&)> take =
-      [&](const visualization_msgs::MarkerArray& markers)
-  {
-    for (const visualization_msgs::Marker& marker : markers.markers)
-    {
-      shown[marker.ns] = marker;
-    }
-  };
-  ros::Subscriber voxels = node_.subscribe<visualization_msgs::MarkerArray>("voxels", 100, take);
-  ASSERT_TRUE(eventually([&] { return voxels.getNumPublishers() == 3; }));
+  const Display display(node_);
+  ASSERT_TRUE(eventually([&] { return display.isConnected(); }));
   ros::WallDuration(0.5).sleep();
   ros::spinOnce();
-  EXPECT_TRUE(shown.empty());
+  EXPECT_EQ(display.pictures(), 0u);
   ask("best", requestFor(requests, settings, 0));
-  ASSERT_TRUE(eventually([&] { return !shown.empty(); }));
-  EXPECT_EQ(shown.at("voxels").points.size(), 48u);
-  EXPECT_EQ(shown.at("caption").text, individualName(2, best));
-  EXPECT_EQ(shown.at("body").lifetime, ros::Duration(2.0));
+  ASSERT_TRUE(eventually([&] { return display.pictures() > 0; }));
+  EXPECT_EQ(display.markers("parts").front().points.size(), 48u);
+  EXPECT_EQ(display.markers("caption").front().text, individualName(2, best));
+  EXPECT_EQ(display.markers("body").front().lifetime, ros::Duration(2.0));
+}
+
+TEST_F(SimulatorTest, ShowsQuadrupedsWithAllTheirParts)
+{
+  RigidBodySettings world;
+  world.lifetime = 1.0;
+  const std::shared_ptr<const Body> body = makeRigidBody(world);
+  const EvaluationRequest walker = { 2,
+                                     5,
+                                     { std::vector<double>(4, 1.0), std::vector<double>(4, 1.0),
+                                       std::vector<double>(8, 1.0), std::vector<double>(8, 1.0) } };
+  const Display display(node_);
+  ASSERT_TRUE(eventually([&] { return display.isConnected(); }));
+  ASSERT_EQ(ask("scalar", toRequest({ walker }, BodySettings(world), *body, 0)).error, "");
+  ASSERT_TRUE(eventually([&] { return display.pictures() >= 3; }));
+  EXPECT_EQ(display.markers("caption").front().text, individualName(2, 5));
+  const auto bodies = display.markers("body");
+  ASSERT_GE(bodies.size(), 5u);
+  const int place = bodies[0].id;  // among the simulators
+  EXPECT_EQ(place % 100, 0);
+  for (int part = 0; part < 5; ++part)
+  {
+    EXPECT_EQ(bodies[static_cast<size_t>(part)].id, place + part) << "abdomen, then legs";
+    EXPECT_FALSE(bodies[static_cast<size_t>(part)].points.empty());
+  }
+  // Swinging all its legs, the robot moves: so do the centres of its parts.
+  const auto parts = display.markers("parts");
+  ASSERT_EQ(parts.front().points.size(), 5u);
+  const auto& first = parts.front().points[1];
+  const auto& last = parts.back().points[1];
+  EXPECT_GT(std::hypot(last.x - first.x, last.y - first.y, last.z - first.z), 0.01);
 }
 
 /// Names of the nodes that publish `simulators`, as the master has it.

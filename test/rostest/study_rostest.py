@@ -15,12 +15,14 @@ from devo_evo_testing import ExperimentTest, program, wait_until
 
 # Every part, with little robots and short lives.
 TINY = {'grid': '2x2x2', 'lifetime': 0.1, 'population': 4, 'trials': 2, 'generations': 3, 'baseline_trials': 1,
-        'baseline_generations': 1, 'sweep_trials': 1, 'sweep_generations': 1, 'sweep_48ths': '48', 'walks': 1,
+        'baseline_generations': 1, 'sweep_trials': 1, 'sweep_generations': 1, 'sweep_48ths': '48',
+        'rigid_trials': 1, 'rigid_generations': 1, 'walks': 1,
         'walk_steps': 4, 'neutral_lineages': 2, 'impact_reproductions': 20, 'friction_factors': 0.5,
         'gravity_factors': 2, 'amplitude_factors': 0.5, 'slopes': 0.1}
 
 ARMS = ('main/evo', 'main/evo_devo', 'baselines/evo-neutral', 'baselines/evo-random_search',
-        'baselines/evo_devo-neutral', 'baselines/evo_devo-random_search', 'sweep/evo-48_48', 'sweep/evo_devo-48_48')
+        'baselines/evo_devo-neutral', 'baselines/evo_devo-random_search', 'sweep/evo-48_48', 'sweep/evo_devo-48_48',
+        'rigid/evo', 'rigid/evo_devo')
 TABLES = ('champions', 'worlds', 'variants', 'walk_steps', 'ancestors', 'neutral_lineages', 'traces', 'robustness',
           'mutational_impact', '(SELECT world, phenotype_hash, valid, fitness, state_hash, velocities FROM evaluations)')
 

@@ -1,10 +1,12 @@
 #!/usr/bin/python3
 """Watching robots: the launch files, rviz on a virtual display, and what stands in the way."""
 
+import math
 import os
 import subprocess
 import sys
 
+import numpy
 import rospkg
 import rospy
 import rostest
@@ -39,7 +41,7 @@ class WatchTest(ExperimentTest):
         self.watch(output=self.output, individual='1/0', beside='1/1', loop_pause=0)
 
         def voxels(messages):
-            return [marker for array in messages for marker in array.markers if marker.ns == 'voxels']
+            return [marker for array in messages for marker in array.markers if marker.ns == 'parts']
         wait_until(lambda: voxels(first) and voxels(second), 'both are shown')
         for marker, low, high in ((voxels(first)[0], -0.04, 0.08), (voxels(second)[0], -0.28, -0.16)):
             self.assertEqual(len(marker.points), 48)
@@ -50,6 +52,42 @@ class WatchTest(ExperimentTest):
         self.watch(genome_file=PACKAGE + '/test/data/genomes.jsonl', individual='golden-001')
         wait_until(lambda: states, 'the robot is shown')
         self.assertEqual((states[0].individual, states[0].record), ('golden-001', PlayerState.NOT_RECORDED))
+
+    def test_a_quadruped_is_shown_on_its_slope_with_its_light(self):
+        robots = self.listen('player/robot', MarkerArray)
+        floors = self.listen('player/floor', MarkerArray)
+        self.watch(genome_file=PACKAGE + '/config/quadrupeds.jsonl', individual='walker',
+                   config=PACKAGE + '/config/rigid.yaml')
+        wait_until(lambda: robots and any(array.markers[0].points for array in robots)
+                   and any(marker.ns == 'light' for array in floors for marker in array.markers), 'robot and floor are shown')
+        shown = next(array for array in robots if array.markers[0].points)
+        bodies = {marker.id: marker for marker in shown.markers if marker.ns == 'body'}
+        self.assertEqual(sorted(bodies), [0, 1, 2, 3, 4])
+        (parts,) = [marker for marker in shown.markers if marker.ns == 'parts']
+        centers = [numpy.array([point.x, point.y, point.z]) for point in parts.points]
+        reach = [max(numpy.linalg.norm(numpy.array([point.x, point.y, point.z]) - centers[part])
+                     for point in bodies[part].points) for part in range(5)]
+        self.assertAlmostEqual(reach[0], 0.25, delta=1e-4)  # abdomen: the radius of the sphere
+        for leg in range(1, 5):  # half of a rod's length, 0.04 m + 0.3 m
+            self.assertAlmostEqual(reach[leg], 0.17, delta=1e-4)
+            right, front = (1 if leg % 2 == 0 else -1), (1 if leg <= 2 else -1)
+            self.assertGreater(right * (centers[leg][0] - centers[0][0]), 0.05)
+            self.assertGreater(front * (centers[leg][1] - centers[0][1]), 0.0)
+
+        def front_left_leg():
+            return [marker.points[1] for array in robots for marker in array.markers if marker.ns == 'parts']
+        start = front_left_leg()[0]
+        wait_until(lambda: math.dist((start.x, start.y, start.z), (front_left_leg()[-1].x, front_left_leg()[-1].y,
+                                                                   front_left_leg()[-1].z)) > 0.05, 'it walks')
+
+        slope = math.radians(3.0)
+        scene = {marker.ns: marker for array in floors for marker in array.markers}
+        for point in scene['floor'].points:
+            self.assertAlmostEqual(point.y * math.sin(slope) + point.z * math.cos(slope), 0.0, delta=1e-4)
+        light = scene['light'].pose.position
+        self.assertAlmostEqual(light.y, 30.0 * math.cos(slope) + math.sin(slope), delta=1e-3)
+        self.assertAlmostEqual(light.z, -30.0 * math.sin(slope) + math.cos(slope), delta=1e-3)
+        self.assertGreater(scene['light'].scale.x, 0.1)
 
     def test_what_cannot_be_shown_ends_with_a_message(self):
         self.evolve()

@@ -3,6 +3,7 @@
 
 #include "archive/bytes.h"
 #include "archive/schema.h"
+#include "devo_evo/farm/local_farm.h"
 #include "study/arms.h"
 #include "study/study_database.h"
 #include "study/workload.h"
@@ -116,7 +117,7 @@ TEST_F(StudyTest, isTheSameHoweverOftenItIsStopped)
   for (int64_t patience = 3;; patience += 4)  // a little farther every time
   {
     CountingObserver observer(patience);
-    const auto make_farm = [](const SoftBodySettings& body) { return std::make_unique<MadeUpFarm>(body); };
+    const auto make_farm = [](const BodySettings& body) { return std::make_unique<MadeUpFarm>(body.soft); };
     if (runStudy(study_, someProvenance(), make_farm, observer) == RunOutcome::FINISHED)
     {
       break;
@@ -157,7 +158,7 @@ TEST_F(StudyTest, doesNothingTwice)
   runSmall(study_);
   const double starts = value("SELECT count(*) FROM starts");
   const std::string content = contentOfStudy(folder_.path());
-  const auto no_farm = [](const SoftBodySettings& /*body*/) -> std::unique_ptr<Farm>
+  const auto no_farm = [](const BodySettings& /*body*/) -> std::unique_ptr<Farm>
   { throw std::logic_error("everything is known already"); };
   CountingObserver observer;
   EXPECT_EQ(runStudy(study_, someProvenance(), no_farm, observer), RunOutcome::FINISHED);
@@ -187,6 +188,27 @@ TEST_F(StudyTest, evolvesTheOtherTreatmentsIfAskedAndAnalysesThemToo)
   runSmall(study_);
   EXPECT_EQ(value("SELECT count(*) FROM champion_variants WHERE arm = 'partial/evo_devo_control'"), 2 * 9);
   EXPECT_EQ(value("SELECT max(morphology_window) FROM champion_variants WHERE arm = 'partial/evo_devo_control'"), 0);
+}
+
+TEST_F(StudyTest, evolvesRigidBodiesWhateverIsSaidOfVoxels)
+{
+  study_.study.only = { StudyPart::RIGID };
+  study_.study.rigid_trials = 2;
+  study_.study.rigid_generations = 1;
+  study_.experiment.evolution.profile = Profile::RELEASED_CODE;
+  study_.experiment.evolution.mutation_rate = 0.25;
+  CountingObserver observer;
+  const auto make_farm = [](const BodySettings& body) { return makeLocalFarm(makeBody(body), 1); };
+  ASSERT_EQ(runStudy(study_, someProvenance(), make_farm, observer), RunOutcome::FINISHED);
+  for (const std::string treatment : { "evo", "evo_devo" })
+  {
+    const auto archive = openArchiveForReading(folder_.path() + "/rigid/" + treatment);
+    EXPECT_EQ(archive->settings().body.kind, BodyKind::RIGID);
+    EXPECT_EQ(archive->trials(), (std::vector<int64_t>{ 1, 2 }));
+    const ArchivedIndividual champion = archive->readIndividual(1, archive->championOf(1));
+    EXPECT_EQ(champion.individual.genome.program.morphology_initial.size(), 4u);
+    EXPECT_EQ(champion.morphology_window > 0.0, treatment == "evo_devo");
+  }
 }
 
 TEST_F(StudyTest, saysWhatAPartNeeds)

@@ -18,7 +18,9 @@ enum class RandomPurpose : uint32_t
   WALK_RATES = 16,  // from here on for studies
   WALK_STEP = 17,
   NEUTRAL_LINEAGE = 18,
-  MUTATION_COUNT = 19
+  MUTATION_COUNT = 19,
+  GAIT_MAP_ROBOT = 20,
+  GAIT_MAP_STEP = 21
 };
 
 /// A stream of random numbers that is a pure function of its key: no draw depends on order, machine or thread, and

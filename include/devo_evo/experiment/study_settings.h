@@ -29,7 +29,8 @@ enum class StudyPart
   ROBUSTNESS,
   IMPACT,
   BASELINES,
-  SWEEP
+  SWEEP,
+  RIGID
 };
 
 /// All parts, in the order in which they run.
@@ -46,13 +47,16 @@ std::string toString(const std::vector<StudyPart>& parts);
 struct StudySettings
 {
   Scale scale = Scale::QUICK;
-  std::vector<StudyPart> only;  ///< the parts to run; none: all but PARTIAL
+  std::vector<StudyPart> only;  ///< the parts to run; none: all but PARTIAL and RIGID
 
   int64_t baseline_trials = 30;
   int64_t baseline_generations = 10000;
   int64_t sweep_trials = 30;
   int64_t sweep_generations = 10000;
   std::vector<double> sweep_48ths = { 1, 2, 4, 8, 16, 24, 32, 48 };  ///< fixed mutation rates [1/48]
+
+  int64_t rigid_trials = 30;  ///< of each treatment with rigid bodies
+  int64_t rigid_generations = 200;
 
   int64_t walks = 10;                     ///< random walks of each kind from each run champion
   int64_t walk_steps = 1000;              ///< of each walk

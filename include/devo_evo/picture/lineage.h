@@ -30,5 +30,5 @@ std::vector<size_t> stepsOfProgress(const Lineage& lineage, int64_t count);
 
 /// What a robot does, in a few words: "rolls 9 times, from 0.4 s after birth", "walks and falls over 9.1 s after
 /// birth", "gallops".
-std::string behaviourText(const Evaluation& evaluation);
+std::string behaviourText(const Evaluation& evaluation, const Body& body);
 }  // namespace devo_evo

@@ -56,13 +56,15 @@ void filmLineage(const Archive& archive, const Lineage& lineage, const std::vect
 void filmOverview(const Archive& archive, int64_t count, const std::string& path, const PictureFormat& format,
                   const FilmProgress& progress);
 
-/// One life as in the paper's Fig. 1: poses at equal times from left to right, the length of one voxel over life, and
+/// One life as in the paper's Fig. 1: poses at equal times from left to right, the length of one part over life, and
 /// velocity as arrows.
-/// @param poses 2 to 24. @param voxel whose length is shown; none: the visible one that develops most.
+/// @param poses 2 to 24. @param part whose length is shown, a voxel or a leg (Appearance::partName()); none: the
+/// visible one that develops most.
 /// @param width of the picture [pixels]. @throw InvalidInput, PictureError
-Image stripOfLife(const ShownRobot& robot, int poses, std::optional<int> voxel, int width, Colouring colouring);
+Image stripOfLife(const ShownRobot& robot, int poses, std::optional<int> part, int width, Colouring colouring);
 
 /// Rows of robots as in the paper's Fig. 2, among the ancestors of an experiment's champions: trotting, galloping,
 /// developing from galloper to roller, rolling from birth. A row that nobody fills says so.
+/// @throw InvalidInput if they are not soft bodies.
 Image gaitRows(const Archive& archive, int width, Colouring colouring);
 }  // namespace devo_evo

@@ -1,23 +1,20 @@
 #pragma once
 
 #include "devo_evo/picture/scene.h"
-#include "devo_evo/render/colouring.h"
-#include "devo_evo/render/life_playback.h"
-#include "devo_evo/render/robot_mesh.h"
+#include "devo_evo/render/appearance.h"
 
 #include <Eigen/Core>
 
+#include <vector>
+
 namespace devo_evo
 {
-/// A robot as it is drawn: every visible face of its voxels as two triangles.
-ColouredTriangles robotTriangles(const RobotMesh& mesh, const RobotFrame& frame, Colouring colouring,
-                                 double voxel_size);
+/// A robot as it is drawn, in the frame that lies on its floor.
+std::vector<ColouredTriangles> robotTriangles(const Appearance& appearance, const RobotFrame& frame,
+                                              Colouring colouring);
 
-/// Size of a body for cameras and shadows: its longest side [m].
-double bodySize(const SoftBodySettings& settings);
-
-/// One body length [m].
-double bodyLength(const SoftBodySettings& settings);
+/// A lamp on a post, where the light is; nothing if there is none.
+std::vector<ColouredTriangles> lightTriangles(const Surroundings& surroundings);
 
 /// Follows a moving point smoothly, without falling behind one that moves evenly. A function of what it has been shown
 /// so far, at equal intervals.

@@ -6,15 +6,16 @@
 
 namespace devo_evo
 {
-// What a picture shows. Positions are in frame `world`: right-handed, z up, metres, the floor at z = 0. Colours are
-// red, green and blue from 0 to 1.
+// What a picture shows. Positions are in a frame that lies on the floor: right-handed, metres, the floor at z = 0,
+// which is frame `world` where the floor is level. Colours are red, green and blue from 0 to 1.
 
-/// A surface of flat triangles. Two triangles in a row that share two corners make one face: its outline is drawn, the
-/// line between them is not.
+/// A surface of triangles. Without normals they are flat: two in a row that share two corners make one face, whose
+/// outline is drawn, while the line between them is not.
 struct ColouredTriangles
 {
   std::vector<Eigen::Vector3f> corners;  ///< three per triangle, seen counter-clockwise from outside [m]
   std::vector<Eigen::Vector3f> colours;  ///< of each corner [1]
+  std::vector<Eigen::Vector3f> normals;  ///< of each corner of a smooth surface, which has no outlines; else empty
 };
 
 /// A line drawn flat on the floor.
@@ -42,22 +43,24 @@ struct Floor
 struct Scene
 {
   std::vector<ColouredTriangles> bodies;
+  std::vector<ColouredTriangles> scenery;  ///< drawn like bodies, but without shadows: it may stand far away
   std::vector<FloorLine> floor_lines;
   Floor floor;
   float body_size = 0.04f;  ///< of what is shown: shadows are soft in proportion [m]
 };
 
-/// Where one looks from: a point at a distance from the target, with z upwards in the picture.
+/// Where one looks from: a point at a distance from the target. It stands level, whatever the floor's slope.
 struct Camera
 {
   Eigen::Vector3d target{ 0.0, 0.0, 0.0 };  ///< in the middle of the picture [m]
   double distance = 0.36;                   ///< from the target [m]
   double azimuth = 0.0;         ///< 0: from +x, so that +y is to the right; positive: turned towards +y [rad]
   double elevation = 0.4;       ///< above the horizontal [rad]
+  double slope = 0.0;           ///< by which the floor descends towards +y [rad]
   double field_of_view = 0.42;  ///< of the picture's height [rad]; 0: parallel projection
   double height = 0.16;         ///< what the picture's height shows, if the projection is parallel [m]
 
-  /// World to clip coordinates, as OpenGL has them.
+  /// The scene's frame to clip coordinates, as OpenGL has them.
   Eigen::Matrix4d projection(double aspect_ratio) const;
 
   /// Where a point appears in a picture: x to the right, y down [pixels].

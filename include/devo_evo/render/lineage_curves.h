@@ -1,6 +1,7 @@
 #pragma once
 
 #include "devo_evo/archive/archive.h"
+#include "devo_evo/evolution/body.h"
 
 #include <array>
 #include <cstddef>
@@ -20,8 +21,10 @@ struct LineageCurve
   double least_high;                           ///< the upper end of its axis is not below this
 };
 
-/// Fitness, W_L and W_Phi.
-const std::array<LineageCurve, 3>& lineageCurves();
+using LineageCurves = std::array<LineageCurve, 3>;
+
+/// Fitness, in the unit that it has in this kind of body, W_L and W_Phi.
+LineageCurves lineageCurves(const Body& body);
 
 /// Ends of an axis.
 struct AxisRange
@@ -29,7 +32,7 @@ struct AxisRange
   double low = 0.0, high = 1.0;
 };
 
-/// A range that shows all values of a curve, and zero.
+/// A range that shows all values of a curve, and zero; never empty.
 AxisRange rangeOf(const LineageCurve& curve, const std::vector<ArchivedIndividual>& lineage);
 
 /// Generations of birth from the first to the last of a lineage, at least one apart. @pre there is an individual.

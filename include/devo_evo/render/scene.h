@@ -1,5 +1,6 @@
 #pragma once
 
+#include "devo_evo/render/appearance.h"
 #include "devo_evo/render/shown_robot.h"
 
 #include <Eigen/Geometry>
@@ -11,7 +12,7 @@
 
 namespace devo_evo
 {
-/// Where a robot's centre of mass has been since birth, and how fast it is.
+/// Where a robot's centre of mass has been since birth, and how fast it is, in one frame.
 class MotionTrace
 {
 public:
@@ -21,10 +22,10 @@ public:
   /// Time between two points of path() [s].
   static constexpr double PATH_SPACING = 0.05;
 
-  /// @param time_since_birth not before the last one given [s]. @param center_of_mass in the world frame [m].
+  /// @param time_since_birth not before the last one given [s]. @param center_of_mass [m].
   void add(double time_since_birth, const Eigen::Vector3d& center_of_mass);
 
-  /// A line from birth to the present place, in the world frame [m].
+  /// A line from birth to the present place [m].
   std::vector<Eigen::Vector3d> path() const;
 
   /// Mean velocity over the last VELOCITY_WINDOW, or since birth if that is less [m/s]; 0 at birth.
@@ -38,7 +39,7 @@ private:
   std::vector<Place> recent_;  ///< the last one that is older than the window, and all since
 };
 
-/// A floor with lines one body length apart, that a distance can be read from. World frame [m].
+/// A floor with lines one body length apart, that a distance can be read from. In the floor's frame, at z = 0 [m].
 struct FloorPlan
 {
   using Line = std::array<Eigen::Vector3d, 2>;
@@ -51,5 +52,5 @@ struct FloorPlan
 };
 
 /// A floor for a life: as far as the robot comes, and some more.
-FloorPlan floorPlan(const LifeSurvey& life, const SoftBodySettings& body);
+FloorPlan floorPlan(const LifeSurvey& life, const Surroundings& surroundings);
 }  // namespace devo_evo

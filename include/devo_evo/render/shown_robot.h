@@ -3,7 +3,7 @@
 #include "devo_evo/archive/archive.h"
 #include "devo_evo/soft_body/developmental_program.h"
 #include "devo_evo/soft_body/evaluation.h"
-#include "devo_evo/soft_body/settings.h"
+#include "devo_evo/bodies/bodies.h"
 
 #include <Eigen/Geometry>
 
@@ -44,7 +44,7 @@ struct Descent
 struct ShownRobot
 {
   std::string name;  ///< "3/1042", or as the file calls it
-  SoftBodySettings body;
+  BodySettings body;
   DevelopmentalProgram program;
   std::optional<Descent> descent;  ///< none if it comes from a file
   std::optional<Evaluation>
@@ -59,14 +59,14 @@ std::optional<ShownRobot> findRobot(const Archive& archive, const RobotChoice& c
 /// A robot of a file of JSON lines (docs/tool.md, "Genomes").
 /// @param id of the robot in the file; empty: the first one.
 /// @throw InvalidInput if the file cannot be read, has no such robot, or is malformed up to there.
-ShownRobot readRobotFile(const std::string& path, const std::string& id, const SoftBodySettings& body);
+ShownRobot readRobotFile(const std::string& path, const std::string& id, const BodySettings& body);
 
 /// What one simulation of the whole life gives.
 struct LifeSurvey
 {
   Evaluation evaluation;
-  Eigen::Vector3d birthplace = Eigen::Vector3d::Zero();  ///< centre of mass at birth [m]
-  Eigen::AlignedBox2d extent;  ///< of the way of the centre of mass, seen from above [m]; empty if it diverged at once
+  Eigen::Vector3d birthplace = Eigen::Vector3d::Zero();  ///< centre of mass at birth, in the floor's frame [m]
+  Eigen::AlignedBox2d extent;  ///< of the way of the centre of mass on the floor [m]; empty if it diverged at once
 };
 
 /// @throw EvaluationAbandoned once `stop` is true. InvalidInput if program or settings are invalid.

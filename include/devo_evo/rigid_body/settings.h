@@ -15,12 +15,12 @@ struct RigidBodySettings
   double time_step = 0.0025;  ///< of the simulation [s]
 
   double gravity = 9.81;               ///< along -z of the world [m/s^2]
-  double slope = 2.0;                  ///< by which the floor descends towards +y [degrees]
+  double slope = 3.0;                  ///< by which the floor descends towards +y [degrees]
   double friction = 1.0;               ///< Coulomb's coefficient, robot against floor [1]
   double contact_stiffness = 10000.0;  ///< of the floor at each contact [N/m]
   double contact_damping = 200.0;      ///< of the floor at each contact [N s/m]
 
-  double light_distance = 20.0;  ///< from the place of birth to the foot of the light, along the slope [m]
+  double light_distance = 30.0;  ///< from the place of birth to the foot of the light, along the slope [m]
   double light_height = 1.0;     ///< of the light above the floor, along its normal [m]
 
   double abdomen_radius = 0.25;  ///< of the spherical abdomen [m]

@@ -32,7 +32,7 @@ public:
 };
 
 /// Makes a farm on which robots live with these settings.
-using FarmFactory = std::function<std::unique_ptr<Farm>(const SoftBodySettings&)>;
+using FarmFactory = std::function<std::unique_ptr<Farm>(const BodySettings&)>;
 
 /// The folder a study writes to if none is named: $HOME/devo_evo/study-<scale>-<profile>-seed-<seed>.
 /// @throw InvalidInput if HOME is not an absolute path.

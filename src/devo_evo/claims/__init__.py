@@ -1,6 +1,6 @@
 """Every checkable claim of the paper, fixed before any data, and the verdict on it (docs/statistics.md)."""
 
-from . import beyond, canalization, elite, evolvability, heterochrony, impact, sweep, walks
+from . import beyond, canalization, elite, evolvability, heterochrony, impact, rigid, sweep, walks
 from .base import ALPHA, Claim, Judgement, Outcome, Verdict, decide, judge, planned_trials
 
 CLAIMS = (
@@ -11,6 +11,7 @@ CLAIMS = (
     + heterochrony.CLAIMS
     + sweep.CLAIMS
     + impact.CLAIMS
+    + rigid.CLAIMS
     + beyond.CLAIMS
 )
 

@@ -1,4 +1,4 @@
-"""What the paper conjectures or leaves open: external robustness, rolling against development, rigid bodies."""
+"""What the paper conjectures or leaves open: external robustness and rolling against development."""
 
 import numpy as np
 
@@ -77,10 +77,6 @@ def _removed_walks(study):
     )
 
 
-def _rigid(_):
-    return missing("rigid bodies")
-
-
 CLAIMS = [
     Claim(
         "external-robustness",
@@ -110,29 +106,5 @@ CLAIMS = [
         final=True,
         plan=lambda alpha: power.equivalence_trials(RETAINED_MARGIN, 0.1, alpha),
         planning="no true difference, standard deviation 0.1",
-    ),
-    Claim(
-        "rigid-canalization",
-        FAMILY,
-        "In rigid bodies, too, the body is canalized and control is not.",
-        "S5",
-        "qualitative",
-        "not given",
-        "change of W_Phi minus that of W_L within lineages",
-        "signed-rank, one-sided",
-        _rigid,
-        final=True,
-    ),
-    Claim(
-        "rigid-evolvability",
-        FAMILY,
-        "In rigid bodies development does not change evolvability.",
-        "S5",
-        "qualitative",
-        "not given",
-        "difference of the median fitness of run champions",
-        "equivalence (TOST, Mann-Whitney)",
-        _rigid,
-        final=True,
     ),
 ]

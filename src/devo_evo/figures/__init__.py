@@ -15,6 +15,7 @@ _MODULES = {
     "S2": "development",
     "S3": "sweep",
     "S4": "impact",
+    "S5": "rigid",
     "time": "survival",
     "robustness": "robustness",
     "frozen": "frozen",

@@ -56,9 +56,13 @@ def draw(study):
     return style.Drawing("figS1", TITLE, figure, table, notes)
 
 
-def draw_lineage(figure, cell, rows, title, table, labelled):
-    """Three panels of one lineage, stacked in a cell of a grid; axes are those of all lineages in `table`."""
+def draw_lineage(figure, cell, rows, title, table, labelled, fitted=False):
+    """Three panels of one lineage, stacked in a cell of a grid; axes are those of all lineages in `table`. Returns them.
+
+    fitted: whether the axis of fitness is as high as the best, whatever its unit.
+    """
     longest, best = table["x"].max(), float(table["fitness"].max())
+    panels = []
     for row, (column, label, colour, top, ticks) in enumerate(ROWS):
         axes = figure.add_subplot(cell[row, 0])
         axes.plot(rows["x"], rows[column], color=colour, linewidth=2.2, solid_capstyle="round")
@@ -66,7 +70,10 @@ def draw_lineage(figure, cell, rows, title, table, labelled):
         highest = float(rows[column].max())
         if column == "fitness":
             highest = best
-        if column == "fitness" and best <= 10.0:  # the paper's axis would show nothing
+        panels.append(axes)
+        if column == "fitness" and fitted:
+            axes.set_ylim(0.0, 1.1 * best)
+        elif column == "fitness" and best <= 10.0:  # the paper's axis would show nothing
             axes.set_ylim(min(0.0, float(rows[column].min())), max(1.0, 1.2 * best))
         else:
             axes.set_ylim(0.0, max(top, 1.05 * highest))
@@ -79,6 +86,7 @@ def draw_lineage(figure, cell, rows, title, table, labelled):
             axes.set_title(title, fontsize=11)
         if row == 2:
             axes.set_xlabel("T" if rows["fast"].iloc[0] else "T  \u2217", fontsize=11)
+    return panels
 
 
 def representatives(table):

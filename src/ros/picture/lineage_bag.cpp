@@ -63,12 +63,12 @@ public:
     const SceneMarkers markers(robot.body, Eigen::Vector3d::Zero());
     write("individual", birth, individual);
     MarkerArray floor = nothing();
-    append(floor, markers.floor(floorPlan(survey, robot.body)));
+    append(floor, markers.floor(floorPlan(survey, makeAppearance(robot.body)->surroundings())));
     setStamp(floor, birth);
     write("floor", birth, floor);
     recordMotion(robot, survey.evaluation, markers);
     const EvaluationRequest request{ individual.trial, individual.id, robot.program };
-    VelocityTelemetry telemetry = telemetryOf(request, survey.evaluation, *makeSoftBody(robot.body), "lineage");
+    VelocityTelemetry telemetry = telemetryOf(request, survey.evaluation, *makeBody(robot.body), "lineage");
     telemetry.header.stamp = stamp_;
     write("velocity", stamp_, telemetry);
     life_start_ = stamp_.toSec() + options_.pause;
@@ -77,13 +77,14 @@ public:
 private:
   void recordMotion(const ShownRobot& robot, const Evaluation& evaluation, const SceneMarkers& markers)
   {
+    const double lifetime = makeBody(robot.body)->lifetime();
     LifePlayback playback(robot.body, robot.program);
     MotionTrace trace;
     double next_annotation = 0.0;
     for (int64_t picture = 0; !playback.finished(); ++picture)
     {
       const double time = static_cast<double>(picture) / options_.rate;
-      playback.advanceTo(time < robot.body.lifetime ? time : std::numeric_limits<double>::infinity());
+      playback.advanceTo(time < lifetime ? time : std::numeric_limits<double>::infinity());
       if (playback.diverged() || !playback.frame().finite())
       {
         return;

@@ -60,23 +60,33 @@ Eigen::Vector3f colourOf(const std_msgs::ColorRGBA& colour)
   return Eigen::Vector3f(colour.r, colour.g, colour.b).cwiseMax(0.0f).cwiseMin(1.0f);
 }
 
-ColouredTriangles trianglesOf(const Marker& marker)
+/// @param surroundings whose floor the triangles are to stand on.
+ColouredTriangles trianglesOf(const Marker& marker, const Surroundings& surroundings)
 {
   ColouredTriangles triangles;
+  const Eigen::Matrix3f to_floor = surroundings.floorToWorld().conjugate().toRotationMatrix().cast<float>();
+  bool smooth = false;  // whether a triangle is shaded
   for (size_t i = 0; i < marker.points.size(); ++i)
   {
-    triangles.corners.push_back(positionOf(marker.points[i]).cast<float>());
+    triangles.corners.emplace_back(to_floor * positionOf(marker.points[i]).cast<float>());
     triangles.colours.push_back(colourOf(marker.colors.empty() ? marker.color : marker.colors[i]));
+    smooth = smooth || triangles.colours[i] != triangles.colours[i - i % 3];
+  }
+  for (size_t i = 0; smooth && i < triangles.corners.size(); i += 3)
+  {
+    const Eigen::Vector3f* corners = triangles.corners.data() + i;
+    triangles.normals.insert(triangles.normals.end(), 3,
+                             (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized());
   }
   return triangles;
 }
 
-FloorLine floorLine(const Marker& marker, size_t first, size_t last)
+FloorLine floorLine(const Marker& marker, size_t first, size_t last, const Surroundings& surroundings)
 {
   FloorLine line;
   for (size_t i = first; i < last; ++i)
   {
-    line.points.push_back(positionOf(marker.points[i]).head<2>().cast<float>());
+    line.points.push_back(surroundings.onFloor(positionOf(marker.points[i])).head<2>().cast<float>());
   }
   line.width = static_cast<float>(std::clamp(marker.scale.x, 1e-5, 1.0));
   line.colour = colourOf(marker.color);
@@ -97,8 +107,6 @@ Eigen::AlignedBox3d boxOf(const Marker& marker)
 MarkerPicture::MarkerPicture(int width, int height, double interval)
   : painter_(width, height), width_(width), height_(height), following_(interval, 0.3)
 {
-  camera_.azimuth = 0.35;
-  camera_.elevation = 0.36;
 }
 
 void MarkerPicture::add(const MarkerArray& markers)
@@ -135,15 +143,38 @@ const visualization_msgs::Marker* MarkerPicture::marker(const std::string& name_
   return found == markers_.end() || found->second.empty() ? nullptr : &found->second.begin()->second;
 }
 
+/// The floor's slope and the light, as markers tell.
+Surroundings MarkerPicture::surroundingsOf() const
+{
+  Surroundings surroundings;
+  surroundings.body_size = body_size_;
+  const Marker* floor = marker("floor");
+  if (floor != nullptr && floor->points.size() >= 3)
+  {
+    const Eigen::Vector3d corner = positionOf(floor->points[0]);
+    const Eigen::Vector3d normal = (positionOf(floor->points[1]) - corner).cross(positionOf(floor->points[2]) - corner);
+    surroundings.slope = normal.z() > 0.0 ? std::atan2(normal.y(), normal.z()) : 0.0;
+  }
+  if (const Marker* light = marker("light"))
+  {
+    surroundings.light = positionOf(light->pose.position);
+  }
+  return surroundings;
+}
+
 void MarkerPicture::follow()
 {
-  const Marker* voxels = marker("voxels") != nullptr ? marker("voxels") : marker("body");
+  const Marker* parts = marker("parts") != nullptr ? marker("parts") : marker("body");
   Eigen::Vector3d center = Eigen::Vector3d::Zero();
-  for (const geometry_msgs::Point& point : voxels->points)
+  for (const geometry_msgs::Point& point : parts->points)
   {
-    center += positionOf(point) / static_cast<double>(voxels->points.size());
+    center += positionOf(point) / static_cast<double>(parts->points.size());
   }
-  const Eigen::Vector3d followed = following_.follow(center);
+  const Eigen::Vector3d followed = following_.follow(surroundings_.onFloor(center));
+  const Viewpoint viewpoint = viewpointFor(surroundings_);
+  camera_.slope = surroundings_.slope;
+  camera_.azimuth = viewpoint.azimuth;
+  camera_.elevation = viewpoint.elevation;
   camera_.target = { followed.x(), followed.y(), 0.35 * body_size_ };
   camera_.distance = 7.5 * body_size_;
 }
@@ -155,25 +186,29 @@ Scene MarkerPicture::scene() const
   scene.floor.lines = false;
   scene.floor.fade_start = 5.0f * scene.body_size;
   scene.floor.fade_end = 16.0f * scene.body_size;
-  scene.bodies = { trianglesOf(*marker("body")) };
+  for (const auto& [id, body] : markers_.at("body"))
+  {
+    scene.bodies.push_back(trianglesOf(body, surroundings_));
+  }
+  scene.scenery = lightTriangles(surroundings_);
   for (const char* lines : { "lines", "marked_lines" })
   {
     const Marker* marks = marker(lines);
     for (size_t i = 0; marks != nullptr && i + 1 < marks->points.size(); i += 2)
     {
-      FloorLine line = floorLine(*marks, i, i + 2);
+      FloorLine line = floorLine(*marks, i, i + 2, surroundings_);
       line.width = std::max(line.width, 0.02f * scene.body_size);  // thinner ones would look dashed
       scene.floor_lines.push_back(line);
     }
   }
   if (const Marker* path = marker("path"))
   {
-    scene.floor_lines.push_back(floorLine(*path, 0, path->points.size()));
+    scene.floor_lines.push_back(floorLine(*path, 0, path->points.size(), surroundings_));
   }
   const Marker* velocity = marker("velocity");
   if (velocity != nullptr && velocity->points.size() == 2)
   {
-    FloorLine arrow = floorLine(*velocity, 0, 2);
+    FloorLine arrow = floorLine(*velocity, 0, 2, surroundings_);
     const Eigen::Vector2f way = arrow.points[1] - arrow.points[0];
     if (way.norm() > 0.05f * scene.body_size)
     {
@@ -189,6 +224,7 @@ Scene MarkerPicture::scene() const
 
 Image MarkerPicture::paint()
 {
+  surroundings_ = surroundingsOf();
   follow();
   Image image = painter_.paint(scene(), camera_);
   Canvas canvas(image);
@@ -198,7 +234,7 @@ Image MarkerPicture::paint()
   {
     for (const auto& [id, label] : labels->second)
     {
-      const Eigen::Vector3d place = positionOf(label.pose.position);
+      const Eigen::Vector3d place = surroundings_.onFloor(positionOf(label.pose.position));
       if ((place - camera_.target).norm() < 6.0 * body_size_)
       {
         const Eigen::Vector2d pixel = camera_.toPicture(place, width_, height_);

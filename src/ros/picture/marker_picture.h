@@ -1,6 +1,7 @@
 #pragma once
 
 #include "devo_evo/picture/image.h"
+#include "devo_evo/picture/life_scene.h"
 #include "devo_evo/picture/robot_scene.h"
 #include "devo_evo/picture/scene.h"
 #include "devo_evo/picture/scene_painter.h"
@@ -36,6 +37,7 @@ private:
   using Marker = visualization_msgs::Marker;
 
   Scene scene() const;
+  Surroundings surroundingsOf() const;
   void follow();
   const Marker* marker(const std::string& name_space) const;
 
@@ -43,6 +45,7 @@ private:
   const int width_, height_;
   FollowingPoint following_;
   Camera camera_;
+  Surroundings surroundings_;                             ///< body_size, slope and light, of the last picture
   double body_size_ = 0.0;                                ///< of the robot as it was first seen [m]; 0: not yet
   std::map<std::string, std::map<int, Marker>> markers_;  ///< by namespace and id
 };
