@@ -102,6 +102,24 @@ class DockerfileTest(unittest.TestCase):
             self.assertNotIn(-1, places, said)
             self.assertEqual(places, sorted(places), said)
 
+    def test_whoever_runs_it_need_not_own_what_every_build_looks_at(self):
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            folder.chmod(0o777)
+            output = folder / "build_constants.cpp"
+            for source in ("src/experiment/build_constants.cpp.in", "cmake/build_info.cmake"):
+                shutil.copy(REPOSITORY / source, folder)
+            command = ["cmake", "-D", f"SOURCE_DIR={name}", "-D", f"TEMPLATE={name}/build_constants.cpp.in",
+                       "-D", f"OUTPUT={output}", "-D", "VERSION=1.2.3", "-D", "COMPILER=a; b", "-P", f"{name}/build_info.cmake"]
+            subprocess.run(command, check=True)
+            written = output.read_text(encoding="utf-8")
+            self.assertIn('"1.2.3", "", "a; b"', written)
+            output.chmod(0o666)
+            before = output.stat().st_mtime_ns
+            stranger = ["setpriv", "--reuid=12345", "--clear-groups"] if os.getuid() == 0 else []
+            subprocess.run([*stranger, *command], check=True)
+            self.assertEqual(output.stat().st_mtime_ns, before)
+
     def test_its_entry_point_takes_the_arguments_of_run_sh(self):
         command = json.loads(self.arguments_of("ENTRYPOINT"))
         self.assertEqual(command, [f"{PLACE}/run.sh"])
