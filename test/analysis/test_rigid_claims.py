@@ -140,6 +140,13 @@ class FigureTest(StudyOfOne):
         self.assertAlmostEqual(last["evo_devo"], champions.median())
         self.assertIn("2 more lineages in the table", " ".join(drawing.notes))
 
+    def test_all_lineages_have_the_axes_that_are_labelled_once(self):
+        drawing = figures.draw("S5", self.study({**OPPOSITE, "body": (0.1, 0.9)}, trials=3))
+        limits = [axes.get_ylim() for axes in drawing.figure.axes[:9]]  # three a lineage
+        for row in range(3):
+            self.assertEqual(len(set(limits[row::3])), 1, f"row {row}")
+        self.assertGreater(limits[0][1], 0.9)
+
     def test_without_rigid_bodies_it_says_so(self):
         study = self.study(AS_CLAIMED, trials=1)
         study.arms = study.arms.iloc[:0]

@@ -67,16 +67,13 @@ def draw_lineage(figure, cell, rows, title, table, labelled, fitted=False):
         axes = figure.add_subplot(cell[row, 0])
         axes.plot(rows["x"], rows[column], color=colour, linewidth=2.2, solid_capstyle="round")
         axes.set_xlim(0, longest + 1)
-        highest = float(rows[column].max())
-        if column == "fitness":
-            highest = best
         panels.append(axes)
         if column == "fitness" and fitted:
             axes.set_ylim(0.0, 1.1 * best)
         elif column == "fitness" and best <= 10.0:  # the paper's axis would show nothing
-            axes.set_ylim(min(0.0, float(rows[column].min())), max(1.0, 1.2 * best))
+            axes.set_ylim(min(0.0, float(table[column].min())), max(1.0, 1.2 * best))
         else:
-            axes.set_ylim(0.0, max(top, 1.05 * highest))
+            axes.set_ylim(0.0, max(top, 1.05 * float(table[column].max())))
             axes.set_yticks(ticks)
         axes.tick_params(labelsize=8, labelleft=labelled)
         axes.set_xticks([])
