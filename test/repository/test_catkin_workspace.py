@@ -36,7 +36,7 @@ target_link_libraries(reader PRIVATE ${catkin_LIBRARIES})
 PROGRAM = """\
 #include <devo_evo/RobotGenome.h>
 #include <devo_evo/soft_body/settings.h>
-int main() { return devo_evo::RobotGenome().size_gene_initial.size() + devo_evo::SoftBodySettings().grid_x == 4 ? 0 : 1; }
+int main() { return devo_evo::RobotGenome().arrays.size() + devo_evo::SoftBodySettings().grid_x == 4 ? 0 : 1; }
 """
 CONFIGURATION = ["--cmake-args", "-DCMAKE_BUILD_TYPE=Release", "-DCATKIN_ENABLE_TESTING=OFF",
                  f"-DPYTHON_EXECUTABLE={PYTHON}"]

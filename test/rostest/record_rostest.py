@@ -6,6 +6,7 @@ import os
 import signal
 import sqlite3
 import sys
+import threading
 import time
 
 import rosbag
@@ -100,18 +101,20 @@ class RecordTest(ExperimentTest):
     def test_no_message_is_dropped_under_load(self):
         """20,000 messages as fast as they can be sent, while the recorder stands still for a while."""
         recorder = self.start_recorder()
-        publisher = rospy.Publisher(self.namespace + '/velocity', VelocityTelemetry, queue_size=0)
+        # Without a queue of rospy's, since what is left in it when the publisher goes is never sent.
+        publisher = rospy.Publisher(self.namespace + '/velocity', VelocityTelemetry, queue_size=None)
         wait_until(lambda: publisher.get_num_connections() == 1, 'the recorder listens')
         count = 20000
         telemetry = VelocityTelemetry(window_end=[0.5 * i for i in range(20)], velocity=[0.1] * 20)
         for number in range(count):
             if number == 1000:
                 recorder.signal(signal.SIGSTOP)
-            if number == 10000:
-                recorder.signal(signal.SIGCONT)
+                awakening = threading.Timer(2.0, recorder.signal, [signal.SIGCONT])  # publish() may have to wait for it
+                awakening.start()
             telemetry.id = number
             publisher.publish(telemetry)
         publisher.unregister()
+        awakening.join()
         recorder.signal(signal.SIGINT)
         self.assertEqual(recorder.wait(), 0, recorder.output())
         messages = self.read(self.output + '/run-1.bag')
