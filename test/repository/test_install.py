@@ -91,9 +91,10 @@ class InstallTest(unittest.TestCase):
         source.mkdir()
         (source / "main.cpp").write_text(PROGRAM, encoding="utf-8")
         (source / "CMakeLists.txt").write_text(CMAKE, encoding="utf-8")
-        flags = cached("DEVO_EVO_SANITIZE") and f"-DCMAKE_CXX_FLAGS=-fsanitize={cached('DEVO_EVO_SANITIZE')}"
+        sanitizers = cached("DEVO_EVO_SANITIZE")  # whose runtime is the compiler's own
+        flags = [f"-DCMAKE_CXX_FLAGS=-fsanitize={sanitizers}", f"-DCMAKE_CXX_COMPILER={cached('CMAKE_CXX_COMPILER')}"]
         run("cmake", "-G", "Ninja", "-S", source, "-B", source / "build", f"-DCMAKE_PREFIX_PATH={self.prefix}",
-            *filter(None, [flags]))
+            *(flags if sanitizers else []))
         run("cmake", "--build", source / "build")
         state_hash = run(source / "build/five_lines").strip().zfill(16)
         robot = {"id": 1, "size_gene_initial": [0.25] * 48, "phase_initial_cycles": [0.125] * 48}
