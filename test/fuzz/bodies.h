@@ -18,6 +18,14 @@ inline SoftBodySettings twoVoxels()
   return settings;
 }
 
+/// A quadruped that lives as long.
+inline RigidBodySettings shortLivedQuadruped()
+{
+  RigidBodySettings settings;
+  settings.lifetime = twoVoxels().lifetime;
+  return settings;
+}
+
 /// Whatever is taken for a robot can be simulated: a soft one for a step, a rigid one up to where it would be born.
 inline void beginLife(const BodySettings& settings, const DevelopmentalProgram& program)
 {

@@ -19,9 +19,7 @@ inline BodySettings askedBody(uint8_t choice)
 {
   if ((choice & RIGID_BODY) != 0)
   {
-    RigidBodySettings settings;
-    settings.lifetime = 1.25;
-    return BodySettings(settings);
+    return BodySettings(shortLivedQuadruped());
   }
   SoftBodySettings settings = twoVoxels();
   settings.lifetime = (choice & SHORT_LIFE) != 0 ? 0.001 : settings.lifetime;

@@ -1,4 +1,4 @@
-// A champion that an evolver publishes, as a player receives it.
+// A champion that an evolver of the message's kind of body publishes, as a player receives it.
 
 #include "fuzz/bodies.h"
 #include "fuzz/input.h"
@@ -7,11 +7,13 @@
 
 devo_evo::fuzz::Refusal devo_evo::fuzz::handle(const uint8_t* data, size_t size)
 {
-  const BodySettings settings(twoVoxels());
   try
   {
-    const ShownRobot robot = robotOf(readMessage<EvolvedRobot>(received(data, size)), settings);
-    validate(robot.program, settings.soft);
+    const auto message = readMessage<EvolvedRobot>(received(data, size));
+    const BodySettings settings =
+        message.genome.body == "rigid" ? BodySettings(shortLivedQuadruped()) : BodySettings(twoVoxels());
+    const ShownRobot robot = robotOf(message, settings);
+    makeBody(settings)->validate(robot.program);
     require(robot.recorded && robot.descent && robot.descent->age >= 0);
     captionText(robot, *robot.recorded, 0.5);
   }

@@ -44,6 +44,7 @@ std::vector<Seed> evolvedRobotSeeds()
   { add(valid, name, bytesOf(with(champion(soft), changed))); };
 
   add(true, "sound", bytesOf(champion(soft)));
+  add(true, "rigid", bytesOf(champion(BodySettings(shortLivedQuadruped()))));
   add(true, "failed", bytesOf(champion(soft, failedEvaluation())));
   change(true, "founder",
          [](EvolvedRobot& robot)
@@ -57,7 +58,7 @@ std::vector<Seed> evolvedRobotSeeds()
   // A sound evaluation has no failure, whose length ends the message.
   add(false, "endless_array", withEndlessArray(bytesOf(champion(soft)), sizeof(uint32_t)));
   add(false, "another_grid", bytesOf(champion(BodySettings())));
-  add(false, "another_body", bytesOf(champion(BodySettings(RigidBodySettings()))));
+  change(false, "another_body", [](EvolvedRobot& robot) { robot.genome.body = "rigid"; });
   change(false, "without_genome", [](EvolvedRobot& robot) { robot.genome.arrays.clear(); });
   change(false, "genome_of_empty_arrays",
          [](EvolvedRobot& robot)
