@@ -28,11 +28,6 @@ std::string textOf(const Hash128& hash)
   return toHex(hash);
 }
 
-std::string textOf(const std::optional<double>& number)
-{
-  return number ? toText(*number) : "none";
-}
-
 /// SQLite does not keep the sign of zero; what is not a number equals what is not one.
 bool same(double archived, double repeated)
 {

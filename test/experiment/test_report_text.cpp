@@ -121,10 +121,12 @@ TEST_F(ResultsText, SaysIfThereIsNoBestRobot)
 
 TEST(ReportText, SaysWhoWorkedWhereAndWhoDidNot)
 {
-  const std::vector<WorkerStatus> workers = { { "/s1", "alpha", WorkerState::WORKING, "", 1000, 5, 0 },
-                                              { "/s2", "alpha", WorkerState::IDLE, "", 200, 1, 0 },
-                                              { "/s3", "beta", WorkerState::LOST, "no sign of life for 5 s", 1, 0, 1 },
-                                              { "/s4", "beta", WorkerState::QUARANTINED, "wrong", 8, 0, 0 } };
+  const std::vector<WorkerStatus> workers = {
+    { "/s1", "alpha", WorkerState::WORKING, "", 1000, 5, 0, "", "", "" },
+    { "/s2", "alpha", WorkerState::IDLE, "", 200, 1, 0, "", "", "" },
+    { "/s3", "beta", WorkerState::LOST, "no sign of life for 5 s", 1, 0, 1, "", "", "" },
+    { "/s4", "beta", WorkerState::QUARANTINED, "wrong", 8, 0, 0, "", "", "" }
+  };
   EXPECT_EQ(workersText(workers),
             "Simulators: 2 at work; 1209 evaluations, of which 6 checked\n"
             "    host alpha: 2 at work, 1200 evaluations\n"

@@ -38,7 +38,7 @@ std::string valueOf(const DiagnosticStatus& status, const std::string& key)
   return "(none)";
 }
 
-const WorkerStatus BUSY = { "/simulator_1", "host1", WorkerState::WORKING, "", 450, 2, 0 };
+const WorkerStatus BUSY = { "/simulator_1", "host1", WorkerState::WORKING, "", 450, 2, 0, "", "", "" };
 
 TEST(Diagnostics, TellHowTheExperimentIsDoing)
 {
@@ -93,10 +93,10 @@ TEST(Diagnostics, TellOfEverySimulator)
   const auto status =
       diagnosticsOf("/evolver", running(),
                     { BUSY,
-                      { "/simulator_2", "host2", WorkerState::LOST, "no sign of life for 5 s", 3, 0, 1 },
-                      { "/simulator_3", "host3", WorkerState::REFUSED, "another engine", 0, 0, 0 },
-                      { "/simulator_4", "host4", WorkerState::LATE, "no answer for 3 s", 8, 1, 0 },
-                      { "/simulator_5", "host5", WorkerState::QUARANTINED, "wrong", 9, 1, 0 } })
+                      { "/simulator_2", "host2", WorkerState::LOST, "no sign of life for 5 s", 3, 0, 1, "", "", "" },
+                      { "/simulator_3", "host3", WorkerState::REFUSED, "another engine", 0, 0, 0, "", "", "" },
+                      { "/simulator_4", "host4", WorkerState::LATE, "no answer for 3 s", 8, 1, 0, "", "", "" },
+                      { "/simulator_5", "host5", WorkerState::QUARANTINED, "wrong", 9, 1, 0, "", "", "" } })
           .status;
   ASSERT_EQ(status.size(), 6u);
   EXPECT_EQ(status[1].name, "/evolver: simulator /simulator_1");
