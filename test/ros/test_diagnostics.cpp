@@ -116,7 +116,7 @@ TEST(Diagnostics, TellOfEverySimulator)
 
 TEST(Diagnostics, ReportsOfGenerationsCountSimulators)
 {
-  const auto in = [](WorkerState state) { return WorkerStatus{ "/s", "host", state, "", 0, 0, 0 }; };
+  const auto in = [](WorkerState state) { return WorkerStatus{ "/s", "host", state, "", 0, 0, 0, "", "", "" }; };
   GenerationSummary summary;
   countSimulators({ in(WorkerState::IDLE), in(WorkerState::WORKING), in(WorkerState::LATE), in(WorkerState::LOST),
                     in(WorkerState::CONNECTING), in(WorkerState::REFUSED), in(WorkerState::QUARANTINED) },
