@@ -11,11 +11,6 @@ namespace
 {
 constexpr double TWO_PI = 6.283185307179586;
 
-double between(double initial, double final, double share)
-{
-  return initial + (final - initial) * share;
-}
-
 class LivingQuadruped : public LivingRobot
 {
 public:
@@ -51,14 +46,9 @@ private:
   ShownPart shownLeg(size_t leg) const
   {
     const double age = std::clamp(timeSinceBirth() / settings_.lifetime, 0.0, 1.0);
-    const auto weight = [&](size_t generator)
-    {
-      const size_t synapse = GENERATOR_COUNT * leg + generator;
-      return between(program_.weight_initial[synapse], program_.weight_final[synapse], age);
-    };
     const auto protrusion = [&](double length) { return settings_.leg_residual + settings_.leg_range * length; };
     const PartState rod = simulation_.leg(leg);
-    const double wanted = between(program_.leg_length_initial[leg], program_.leg_length_final[leg], age);
+    const double wanted = program_.legLength(leg, age);
     const double final_length = protrusion(program_.leg_length_final[leg]);
     // The generators are sine and cosine: w0 sin + w1 cos is a sine ahead by this phase.
     return { rod.position,
@@ -66,7 +56,7 @@ private:
              protrusion(simulation_.legLength(leg)),
              protrusion(wanted),
              final_length - protrusion(wanted),
-             std::atan2(weight(1), weight(0)) / TWO_PI };
+             std::atan2(program_.weight(leg, 1, age), program_.weight(leg, 0, age)) / TWO_PI };
   }
 
   const RigidBodySettings settings_;

@@ -24,11 +24,6 @@ const QuadrupedProgram& checked(const QuadrupedProgram& program)
   validate(program);
   return program;
 }
-
-double between(double initial, double final, double share)
-{
-  return initial + (final - initial) * share;
-}
 }  // namespace
 
 double lightIntensity(const Eigen::Vector3d& light, const Eigen::Vector3d& sensor)
@@ -104,12 +99,9 @@ private:
       double excitation = 0.0;
       for (size_t generator = 0; generator < GENERATOR_COUNT; ++generator)
       {
-        const size_t synapse = GENERATOR_COUNT * leg + generator;
-        const double weight = between(program_.weight_initial[synapse], program_.weight_final[synapse], age);
-        excitation += weight * generators[generator];
+        excitation += program_.weight(leg, generator, age) * generators[generator];
       }
-      const double length = between(program_.leg_length_initial[leg], program_.leg_length_final[leg], age);
-      body_.drive(leg, limit * std::clamp(excitation, -1.0, 1.0), length);
+      body_.drive(leg, limit * std::clamp(excitation, -1.0, 1.0), program_.legLength(leg, age));
     }
   }
 

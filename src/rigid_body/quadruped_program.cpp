@@ -21,7 +21,23 @@ void checkArray(const char* name, const std::array<double, N>& values, double mi
     }
   }
 }
+
+double between(double initial, double final, double share)
+{
+  return initial + (final - initial) * share;
+}
 }  // namespace
+
+double QuadrupedProgram::legLength(size_t leg, double age) const
+{
+  return between(leg_length_initial[leg], leg_length_final[leg], age);
+}
+
+double QuadrupedProgram::weight(size_t leg, size_t generator, double age) const
+{
+  const size_t synapse = GENERATOR_COUNT * leg + generator;
+  return between(weight_initial[synapse], weight_final[synapse], age);
+}
 
 void validate(const QuadrupedProgram& program)
 {

@@ -47,7 +47,7 @@ std::string toString(const std::vector<StudyPart>& parts);
 struct StudySettings
 {
   Scale scale = Scale::QUICK;
-  std::vector<StudyPart> only;  ///< the parts to run; none: all but PARTIAL and RIGID
+  std::vector<StudyPart> only;  ///< the parts to run; none: all but PARTIAL
 
   int64_t baseline_trials = 30;
   int64_t baseline_generations = 10000;

@@ -20,6 +20,10 @@ struct QuadrupedProgram
   /// Weight of the synapse from generator g to the motor neuron of leg l, at GENERATOR_COUNT * l + g [1, -1 to 1].
   std::array<double, SYNAPSE_COUNT> weight_initial = {};
   std::array<double, SYNAPSE_COUNT> weight_final = {};  ///< like weight_initial
+
+  // What it says at an age: 0 is birth, 1 the end of life.
+  double legLength(size_t leg, double age) const;
+  double weight(size_t leg, size_t generator, double age) const;
 };
 
 /// @throw InvalidInput naming array, index, value and what is allowed.

@@ -7,11 +7,11 @@ from .. import power
 from ..figures import rigid as figure
 from ..statistics import equivalence_independent, median_interval, median_ratio_interval
 from .base import Claim, Outcome, missing
+from .canalization import CONTROL_MARGIN, EFFECT, needed
 from .outcomes import positive, show
 
 FAMILY = "rigid bodies"
 GENERATIONS = 200  # that would do; the paper does not say how long these evolved
-CONTROL_MARGIN = 0.1  # of W_Phi, as for soft bodies
 LATE = 0.5  # share of a life: later is late, earlier is early [1]
 EVOLVABILITY_MARGIN = 1.1  # ratio of the fitness of run champions
 
@@ -129,11 +129,6 @@ def _evolvability(study):
     )
 
 
-def _needed(alpha):
-    return power.signed_rank_trials(0.9, alpha)
-
-
-_EFFECT = "P(sum of two differences > 0) = 0.9"
 _NOT_GIVEN = "not given"
 
 
@@ -149,7 +144,7 @@ def _claim(key, statement, estimand, measure, test="signed-rank, one-sided", **d
         test,
         measure,
         GENERATIONS,
-        **{"plan": _needed, "planning": _EFFECT, **details},
+        **{"plan": needed, "planning": EFFECT, **details},
     )
 
 
@@ -166,7 +161,6 @@ CLAIMS = [
         "W_Phi of the run champion minus that of its founder",
         _of_rollers(_stays),
         f"signed-rank, one-sided: above \u2212{CONTROL_MARGIN:g}",
-        plan=lambda alpha: power.signed_rank_trials(0.9, alpha),
         planning="P(sum of two differences > \u22120.2) = 0.9",
     ),
     _claim(

@@ -25,10 +25,15 @@ def numbers(study):
     frame = archive.lineages()[
         ["trial", "ancestor", "id", "generation", "morphology_window", "control_window", "fitness"]
     ]
+    return align(frame, "fitness", FAST)
+
+
+def align(frame, measure, least):
+    """Adds to rows of ancestors x (right-aligned) and `fast`: whether the trial's run champion has at least so much."""
     sizes = frame.groupby("trial")["ancestor"].transform("max")
     frame["x"] = frame["ancestor"] + (sizes.max() - sizes)
-    champions = frame[frame["ancestor"] == sizes].set_index("trial")["fitness"]
-    frame["fast"] = frame["trial"].map(champions) >= FAST
+    champions = frame[frame["ancestor"] == sizes].set_index("trial")[measure]
+    frame["fast"] = frame["trial"].map(champions) >= least
     return frame
 
 

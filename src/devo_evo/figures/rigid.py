@@ -5,13 +5,14 @@ import pandas as pd
 from ..study import LABELS, counted
 from . import style
 from .fitness import curve
-from .lineages import draw_lineage
+from .lineages import align, draw_lineage
 
 TITLE = "Differential canalization in rigid bodies (Fig. S5)"
 TURNS = 1.0  # from here on a robot rolls [full turns]
 COLUMNS = 10  # of lineages
 TREATMENTS = ("evo", "evo_devo")
 MEASURES = ["morphology_window", "control_window", "fitness", "turns", "first_roll_since_birth_s"]
+LINEAGE_COLUMNS = ["trial", "ancestor", "x", "fast", "id", "generation"] + MEASURES
 
 
 def lineages(study, treatment="evo_devo"):
@@ -19,13 +20,8 @@ def lineages(study, treatment="evo_devo"):
     [1/m^2], turns, time of the first half turn [s] (NaN: none), and `fast`: whether the run champion rolls."""
     archive = study.rigid(treatment)
     if archive is None:
-        return pd.DataFrame(columns=["trial", "ancestor", "x", "fast", "id", "generation"] + MEASURES)
-    frame = archive.lineages()[["trial", "ancestor", "id", "generation"] + MEASURES].copy()
-    sizes = frame.groupby("trial")["ancestor"].transform("max")
-    frame.insert(2, "x", frame["ancestor"] + (sizes.max() - sizes))
-    champions = frame[frame["ancestor"] == sizes].set_index("trial")["turns"]
-    frame.insert(3, "fast", frame["trial"].map(champions) >= TURNS)
-    return frame
+        return pd.DataFrame(columns=LINEAGE_COLUMNS)
+    return align(archive.lineages().copy(), "turns", TURNS)[LINEAGE_COLUMNS]
 
 
 def numbers(study):
