@@ -33,9 +33,9 @@ void begin(Connection& connection, const ExperimentSettings& settings, const Pro
   addLaterTables(connection, *body);
   if (!is_new)
   {
-    checkResumable(connection, settings);
+    checkResumable(connection, settings, { settings.body.kind });
   }
-  writeSettings(connection, extendedByCommitted(connection, settings));
+  writeSettings(connection, extendedByCommitted(connection, settings), { settings.body.kind });
   recordStart(connection, provenance);
   transaction.commit();
 }

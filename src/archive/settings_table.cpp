@@ -21,6 +21,12 @@ Parameters parametersOf(const ExperimentSettings& settings)
   parameters.experiment = settings;
   return parameters;
 }
+
+bool describes(const ParameterSpec& spec, const std::vector<BodyKind>& kinds)
+{
+  return std::any_of(kinds.begin(), kinds.end(), [&](BodyKind kind) { return describesExperiment(spec, kind); });
+}
+
 /// Empty if there is none.
 std::string differenceOfFounders(const EvolutionSettings& there, const EvolutionSettings& here)
 {
@@ -68,12 +74,12 @@ void writeParameter(Connection& connection, const ParameterSpec& spec, const Par
       .run();
 }
 
-void writeSettings(Connection& connection, const ExperimentSettings& settings)
+void writeSettings(Connection& connection, const ExperimentSettings& settings, const std::vector<BodyKind>& kinds)
 {
   const Parameters parameters = parametersOf(settings);
   for (const ParameterSpec& spec : parameterSpecs())
   {
-    if (describesExperiment(spec, settings.body.kind))
+    if (describes(spec, kinds))
     {
       writeParameter(connection, spec, parameters);
     }
@@ -81,15 +87,14 @@ void writeSettings(Connection& connection, const ExperimentSettings& settings)
   writeFounders(connection, settings.evolution, ArchivedBody(settings).layout);
 }
 
-void checkResumable(Connection& connection, const ExperimentSettings& wanted)
+void checkResumable(Connection& connection, const ExperimentSettings& wanted, const std::vector<BodyKind>& kinds)
 {
   const Parameters ours = parametersOf(wanted);
   const Parameters archived = parametersOf(readSettings(connection));
   std::string differences;
   for (const ParameterSpec& spec : parameterSpecs())
   {
-    if (describesExperiment(spec, wanted.body.kind) && EXTENT.count(spec.name) == 0 &&
-        spec.get(ours) != spec.get(archived))
+    if (describes(spec, kinds) && EXTENT.count(spec.name) == 0 && spec.get(ours) != spec.get(archived))
     {
       differences += (differences.empty() ? "" : ", ") + spec.name + " is " + spec.get(archived) + " there and " +
                      spec.get(ours) + " here";

@@ -67,7 +67,7 @@ void addStudyCommand(CLI::App& tool, Command& command)
 {
   CLI::App* app =
       tool.add_subcommand("study", "Run the experiments of the paper and its analyses, or go on with them.");
-  const ParameterOptions options(*app, { "study", "experiment", "evolution", "body", "physics", "farm" });
+  const ParameterOptions options(*app, { "study", "experiment", "evolution", "body", "physics", "rigid body", "farm" });
   auto only_estimate = std::make_shared<bool>(false);
   app->add_flag("--estimate", *only_estimate, "Only say how much is left to simulate, and how long that takes here");
   app->footer(

@@ -346,7 +346,8 @@ std::vector<ParameterSpec> bodySpecs()
   return {
     choiceSpec({ "body", "body", "",
                  "The kind of body: voxels, or the rigid quadruped of Fig S5 (docs/bodies.md). Parameters of the other "
-                 "kind must be left at their defaults." },
+                 "kind must be left at their defaults, except in a study, whose body is soft and which has rigid ones "
+                 "besides." },
                bodyKindNames(), kind, parseBodyKind),
     only(BodyKind::SOFT, gridSpec()),
     bodyNumber("lifetime", "body", "s",

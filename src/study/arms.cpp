@@ -17,7 +17,7 @@ Arm makeArm(StudyPart part, const Parameters& parameters, Treatment treatment, c
   Arm arm;
   arm.part = part;
   arm.name = toString(part) + "/" + toString(treatment) + suffix;
-  arm.settings = parameters.experiment;
+  arm.settings = ofBody(part == StudyPart::RIGID ? BodyKind::RIGID : BodyKind::SOFT, parameters.experiment);
   arm.settings.evolution.treatment = treatment;
   arm.settings.output += "/" + arm.name;
   return arm;
@@ -67,35 +67,33 @@ std::vector<Arm> sweepArms(const Parameters& parameters)
   return arms;
 }
 
-/// What is of voxels only stays behind: in an experiment with rigid bodies it is refused.
-ExperimentSettings withRigidBody(const ExperimentSettings& settings)
-{
-  Parameters parameters;
-  parameters.experiment = settings;
-  for (const ParameterSpec& spec : parameterSpecs())
-  {
-    if (spec.body == BodyKind::SOFT)
-    {
-      spec.set(parameters, spec.default_text);
-    }
-  }
-  parameters.experiment.body.kind = BodyKind::RIGID;
-  return parameters.experiment;
-}
-
 /// The treatments of MAIN with rigid bodies.
 std::vector<Arm> rigidArms(const Parameters& parameters)
 {
   std::vector<Arm> arms = armsWith(StudyPart::RIGID, parameters, THE_PAPERS);
   for (Arm& arm : arms)
   {
-    arm.settings = withRigidBody(arm.settings);
     arm.settings.trials = parameters.study.rigid_trials;
     arm.settings.generations = parameters.study.rigid_generations;
   }
   return arms;
 }
 }  // namespace
+
+ExperimentSettings ofBody(BodyKind kind, const ExperimentSettings& settings)
+{
+  Parameters parameters;
+  parameters.experiment = settings;
+  for (const ParameterSpec& spec : parameterSpecs())
+  {
+    if (spec.body && spec.body != kind)
+    {
+      spec.set(parameters, spec.default_text);
+    }
+  }
+  parameters.experiment.body.kind = kind;
+  return parameters.experiment;
+}
 
 std::vector<Arm> armsOf(StudyPart part, const Parameters& parameters)
 {

@@ -15,6 +15,9 @@ struct Arm
   ExperimentSettings settings;
 };
 
+/// A study's settings as an experiment with one kind of body takes them: the other kind's parameters at their defaults.
+ExperimentSettings ofBody(BodyKind kind, const ExperimentSettings& settings);
+
 /// The experiments that a part consists of; none for a part that analyses.
 std::vector<Arm> armsOf(StudyPart part, const Parameters& parameters);
 

@@ -3,6 +3,7 @@
 #include "devo_evo/experiment/report_text.h"
 #include "devo_evo/soft_body/text.h"
 #include "study/analyses.h"
+#include "study/arms.h"
 
 #include <cstdlib>
 
@@ -157,7 +158,11 @@ std::string defaultStudyOutput(const Parameters& parameters)
 
 void validateStudy(const Parameters& parameters)
 {
-  parameters.experiment.validate();
+  const SoftBodySettings& voxels = softSettings(parameters.experiment.body, "a study");
+  for (const BodyKind kind : { BodyKind::SOFT, BodyKind::RIGID })
+  {
+    ofBody(kind, parameters.experiment).validate();
+  }
   const EvolutionSettings defaults;
   const EvolutionSettings& evolution = parameters.experiment.evolution;
   if (evolution.treatment != defaults.treatment || evolution.selection != defaults.selection)
@@ -168,7 +173,7 @@ void validateStudy(const Parameters& parameters)
   {
     throw InvalidInput("the founders of a study are random; leave founders out");
   }
-  robustnessWorlds(softSettings(parameters.experiment.body, "a study"), parameters.study);
+  robustnessWorlds(voxels, parameters.study);
 }
 
 RunOutcome runStudy(const Parameters& parameters, const Provenance& provenance, const FarmFactory& make_farm,

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """The study at scale `quick`, as it is: every experiment, every figure and the report, by the commands that people use.
 
-One run, which the tests share; it takes a minute or two of two cores.
+One run, which most tests share; it takes a minute or two of two cores.
 """
 
 import os
@@ -138,6 +138,24 @@ class QuickStudyTest(unittest.TestCase):
                 self.assertIn(judgement.verdict, (Verdict.TOO_FEW_GENERATIONS, Verdict.NO_DATA), row)
             if judgement.claim.family == "impact":
                 self.assertIs(judgement.verdict, Verdict.HOLDS, row)
+
+
+class QuickPartialTest(unittest.TestCase):
+    """The part that runs only if asked for."""
+
+    def test_only_what_is_to_develop_does(self):
+        with tempfile.TemporaryDirectory() as folder:
+            run_tool("study", "--scale", "quick", "--only", "partial", "--output", folder)
+            with devo_evo.open_study(folder) as study:
+                self.assertEqual(study.arms["arm"].tolist(), ["partial/evo_devo_body", "partial/evo_devo_control"])
+                for arm in study.arms["arm"]:
+                    archive = study.archive(arm)
+                    self.assertEqual(archive.trials()["generations"].tolist(), TRIALS * [GENERATIONS], arm)
+                    lineages = archive.lineages()
+                    self.assertEqual((lineages["morphology_window"] > 0).all(), arm.endswith("body"), arm)
+                    self.assertEqual((lineages["control_window"] > 0).all(), arm.endswith("control"), arm)
+                    self.assertEqual(lineages["morphology_window"].max() == 0, arm.endswith("control"), arm)
+                    self.assertEqual(lineages["control_window"].max() == 0, arm.endswith("body"), arm)
 
 
 if __name__ == "__main__":

@@ -27,6 +27,7 @@ std::vector<std::string> tinyStudy(const std::string& output, const std::vector<
                                                                                      { "sweep_48ths", "48" },
                                                                                      { "rigid_trials", "1" },
                                                                                      { "rigid_generations", "1" },
+                                                                                     { "rigid_lifetime", "0.5" },
                                                                                      { "walks", "1" },
                                                                                      { "walk_steps", "4" },
                                                                                      { "neutral_lineages", "2" },

@@ -39,7 +39,7 @@ TEST(Tool, OffersEveryParameterOfAnExperimentAndOfAStudy)
               spec.group != "nodes" && spec.group != "player" && spec.group != "study")
         << spec.name;
     EXPECT_EQ(study.find(threads ? "--threads" : option) != std::string::npos,
-              spec.group != "nodes" && spec.group != "player" && spec.group != "rigid body")
+              spec.group != "nodes" && spec.group != "player")
         << spec.name;
   }
 }

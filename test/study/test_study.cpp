@@ -14,6 +14,14 @@ namespace devo_evo::test
 {
 namespace
 {
+/// Runs a study to its end, with real lives.
+void simulate(const Parameters& study)
+{
+  CountingObserver observer;
+  const auto make_farm = [](const BodySettings& body) { return makeLocalFarm(makeBody(body), 1); };
+  ASSERT_EQ(runStudy(study, someProvenance(), make_farm, observer), RunOutcome::FINISHED);
+}
+
 class StudyTest : public testing::Test
 {
 protected:
@@ -197,9 +205,7 @@ TEST_F(StudyTest, evolvesRigidBodiesWhateverIsSaidOfVoxels)
   study_.study.rigid_generations = 1;
   study_.experiment.evolution.profile = Profile::RELEASED_CODE;
   study_.experiment.evolution.mutation_rate = 0.25;
-  CountingObserver observer;
-  const auto make_farm = [](const BodySettings& body) { return makeLocalFarm(makeBody(body), 1); };
-  ASSERT_EQ(runStudy(study_, someProvenance(), make_farm, observer), RunOutcome::FINISHED);
+  simulate(study_);
   for (const std::string treatment : { "evo", "evo_devo" })
   {
     const auto archive = openArchiveForReading(folder_.path() + "/rigid/" + treatment);
@@ -209,6 +215,32 @@ TEST_F(StudyTest, evolvesRigidBodiesWhateverIsSaidOfVoxels)
     EXPECT_EQ(champion.individual.genome.program.morphology_initial.size(), 4u);
     EXPECT_EQ(champion.morphology_window > 0.0, treatment == "evo_devo");
   }
+}
+
+TEST_F(StudyTest, takesTheWorldOfRigidBodiesAsItTakesThatOfVoxels)
+{
+  study_.study.only = { StudyPart::MAIN, StudyPart::RIGID };
+  study_.study.rigid_trials = 1;
+  study_.study.rigid_generations = 0;
+  study_.experiment.body.rigid.slope = 5.0;
+  study_.experiment.body.rigid.lifetime = 0.5;
+  study_.experiment.evolution.rigid_mutation_sigma = 0.25;
+  study_.experiment.generations = 0;
+  simulate(study_);
+  const ExperimentSettings rigid = openArchiveForReading(folder_.path() + "/rigid/evo")->settings();
+  EXPECT_EQ(rigid.body.rigid.slope, 5.0);
+  EXPECT_EQ(rigid.evolution.rigid_mutation_sigma, 0.25);
+  EXPECT_EQ(rigid.body.soft.grid_x, SoftBodySettings().grid_x);
+  EXPECT_EQ(openArchiveForReading(folder_.path() + "/main/evo")->settings().body.soft.grid_x, 2);
+  EXPECT_EQ(value("SELECT value FROM parameters WHERE name = 'rigid_slope'"), 5);
+
+  study_.study.only = { StudyPart::IMPACT };
+  study_.experiment.body.rigid.slope = 4.0;
+  EXPECT_NE(messageOf<ArchiveError>([&] { runSmall(study_); }).find("rigid_slope is 5 there and 4 here"),
+            std::string::npos);
+  study_.experiment.body.rigid.time_step = 1.0;
+  EXPECT_EQ(messageOf<InvalidInput>([&] { runSmall(study_); }),
+            "rigid_time_step is 1; it must lie within 1e-05 to 0.05");
 }
 
 TEST_F(StudyTest, saysWhatAPartNeeds)
