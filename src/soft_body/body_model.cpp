@@ -5,6 +5,14 @@
 
 namespace devo_evo
 {
+namespace
+{
+DampedSpring dampedSpring(double stiffness, double damping)
+{
+  return { stiffness + damping, damping };
+}
+}  // namespace
+
 BodyConstants::BodyConstants(const SoftBodySettings& settings, const Lattice& lattice)
   : upper_neighbours_(static_cast<size_t>(lattice.voxelCount()), 0)
   , in_top_layer_(static_cast<size_t>(lattice.voxelCount()), 0)
@@ -52,16 +60,12 @@ BodyConstants::BodyConstants(const SoftBodySettings& settings, const Lattice& la
   model_.weight = m * settings.gravity * cosine;
   model_.weight_along_slope = m * settings.gravity * (settings.slope * cosine) + 0.0;
   model_.axial_stiffness = a1;
-  model_.torsion_stiffness = a2;
-  model_.shear_stiffness = b1;
-  model_.coupling_stiffness = b2;
-  model_.bending_stiffness = b3;
-  model_.axial_damping = half_damping * 2.0 * std::sqrt(a1 * m);
-  model_.torsion_damping = quarter_damping * 2.0 * std::sqrt(a2 * I);
-  model_.shear_damping = half_damping * 2.0 * std::sqrt(b1 * m);
-  model_.coupling_damping = half_damping * 2.0 * std::sqrt(b2 * S);
-  model_.coupling_damping_moment = quarter_damping * 2.0 * std::sqrt(b2 * S);
-  model_.bending_damping = quarter_damping * 2.0 * std::sqrt(b3 * I);
+  model_.tension = dampedSpring(a1, half_damping * 2.0 * std::sqrt(a1 * m));
+  model_.torsion = dampedSpring(a2, quarter_damping * 2.0 * std::sqrt(a2 * I));
+  model_.shear = dampedSpring(b1, half_damping * 2.0 * std::sqrt(b1 * m));
+  model_.coupling = dampedSpring(b2, half_damping * 2.0 * std::sqrt(b2 * S));
+  model_.coupling_of_moments = dampedSpring(b2, quarter_damping * 2.0 * std::sqrt(b2 * S));
+  model_.bending = dampedSpring(b3, quarter_damping * 2.0 * std::sqrt(b3 * I));
   model_.translation_drag = settings.global_damping * 2.0 * std::sqrt(m * E * L);
   model_.rotation_decay = 1.0 - 10.0 * settings.global_damping * 2.0 * std::sqrt(I * E * L * L * L) * dt / I;
   model_.floor_stiffness = 2.0 * E * L;

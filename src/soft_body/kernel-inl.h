@@ -106,8 +106,9 @@ template <class Real>
 struct BondMemory
 {
   Real stretch;
+  Real twist;
+  Real sum_y, sum_z;
   Real angle_1_y, angle_1_z;
-  Vector<Real> angle_2;
 };
 
 template <class Real>
@@ -159,28 +160,41 @@ inline Real polynomial(Real x, Coefficients... coefficients)
 }
 
 // 1 / sqrt(a) for normal a > 0, to within two units in the last place: a guess from the exponent, then two corrections
-// by the binomial series of 1 / sqrt(1 - error). Much cheaper than a square root and a division.
+// by 1 / sqrt(1 - error), a polynomial for the guess's errors, below 0.07, and a binomial series. Much cheaper than a
+// square root and a division.
 template <class Real>
 inline Real inverseSquareRoot(Real a)
 {
   const Real one = constant<Real>(1.0);
   const Real guess = inverseSquareRootGuess(a);
   const Real error = multiplyAdd(-(a * guess), guess, one);
-  const Real series = polynomial(error, 0.5, 0.375, 0.3125, 0.2734375);
+  const Real series = polynomial(error, 0.5000008238580428, 0.3760587519451833, 0.3128519513491328);
   const Real better = multiplyAdd(guess * error, series, guess);
   const Real rest = multiplyAdd(-(a * better), better, one);
   return multiplyAdd(better * rest, polynomial(rest, 0.5, 0.375), better);
 }
 
-// 1 / cos(angle / 2), given 1 - cos(angle), the versine: a polynomial up to angles of 53 degrees.
+// The same for the square of a length that was 1 and has hardly changed: a binomial series up to 1.0001.
+template <class Real>
+inline Real inverseSquareRootNearOne(Real a)
+{
+  Real result = polynomial(constant<Real>(1.0) - a, 1.0, 0.5, 0.375, 0.3125);
+  const auto wide = constant<Real>(1.0001) < a;
+  if (any(wide))
+  {
+    result = select(wide, inverseSquareRoot(a), result);
+  }
+  return result;
+}
+
+// 1 / cos(angle / 2), given 1 - cos(angle), the versine: a polynomial up to angles of 37 degrees.
 template <class Real>
 inline Real inverseHalfAngleCosine(Real versine)
 {
-  Real result =
-      polynomial(versine, 1.0, 0.24999999999998757, 0.09375000000173478, 0.03906249990509594, 0.01708984643961292,
-                 0.007690384484666993, 0.0035252657232099833, 0.0016330326352117469, 0.0007839687346530521,
-                 0.00030679432370555145, 0.00029254761824807734, -7.960938608751285e-05, 0.0001524582264404418);
-  const auto wide = constant<Real>(0.4) < versine;
+  Real result = polynomial(versine, 1.0, 0.2500000000000372, 0.09374999999256141, 0.039062500511397244,
+                           0.0170898265596367, 0.007690755365506341, 0.003521074412880395, 0.0016622420443315699,
+                           0.0006613564230798821, 0.0005916273966653307);
+  const auto wide = constant<Real>(0.2) < versine;
   if (any(wide))
   {
     const Real half_angle_cosine_square = multiplyAdd(constant<Real>(-0.5), versine, constant<Real>(1.0));
@@ -206,7 +220,15 @@ inline Real sine(Real angle)
   return flipSignWhereOdd(multiplyAdd(rest * square, series, rest), shifted);
 }
 
-// 2 acos(w) / sqrt(1 - w^2) for w >= 0.7, as a polynomial of 1 - w.
+// 2 acos(w) / sqrt(1 - w^2) for w >= 0.92, as a polynomial of 1 - w.
+template <class Real>
+inline Real exactRotationFactorOfSmallAngle(Real one_minus_w)
+{
+  return polynomial(one_minus_w, 2.0, 0.6666666666668197, 0.26666666661791355, 0.11428571953090196,
+                    0.050793383780907725, 0.023095269374810327, 0.010548600007417785, 0.005785532478125603);
+}
+
+// The same for w >= 0.7.
 template <class Real>
 inline Real exactRotationFactor(Real one_minus_w)
 {
@@ -237,13 +259,18 @@ inline Real rotationFactor(Real w)
   const Real one_minus_w = one - w;
   const Real approximation =
       polynomial(one_minus_w, 2.0, 0.4999999999999957, 0.18750000002643719, 0.07812494306622025, 0.0342297237319617);
-  Real factor = select(constant<Real>(0.9988) < w, approximation, exactRotationFactor(one_minus_w));
-  const auto far = w < constant<Real>(0.7);
-  if (any(far))
+  Real factor = select(constant<Real>(0.9988) < w, approximation, exactRotationFactorOfSmallAngle(one_minus_w));
+  const auto wide = w < constant<Real>(0.92);
+  if (any(wide))
   {
-    const auto turned = constant<Real>(-1.0) < w;
-    factor = select(far & turned, exactRotationFactorOfLargeAngle(w), factor);
-    factor = select(turned, factor, constant<Real>(0.0));
+    factor = select(wide, exactRotationFactor(one_minus_w), factor);
+    const auto far = w < constant<Real>(0.7);
+    if (any(far))
+    {
+      const auto turned = constant<Real>(-1.0) < w;
+      factor = select(far & turned, exactRotationFactorOfLargeAngle(w), factor);
+      factor = select(turned, factor, constant<Real>(0.0));
+    }
   }
   return select(w < one, factor, constant<Real>(0.0));
 }
@@ -264,15 +291,14 @@ inline Axes<Real> bodyAxes(const Quaternion<Real>& q)
   const Real x2 = q.x + q.x;
   const Real y2 = q.y + q.y;
   const Real z2 = q.z + q.z;
-  const Real xx = q.x * x2;
-  const Real yy = q.y * y2;
   const Real wx = q.w * x2;
   const Real wy = q.w * y2;
   const Real wz = q.w * z2;
+  const Real one_minus_xx = multiplyAdd(-q.x, x2, one);
   const Real one_minus_zz = multiplyAdd(-q.z, z2, one);
-  return { { one_minus_zz - yy, multiplyAdd(q.x, y2, wz), multiplyAdd(q.x, z2, -wy) },
-           { multiplyAdd(q.x, y2, -wz), one_minus_zz - xx, multiplyAdd(q.y, z2, wx) },
-           { multiplyAdd(q.x, z2, wy), multiplyAdd(q.y, z2, -wx), one - xx - yy } };
+  return { { multiplyAdd(-q.y, y2, one_minus_zz), multiplyAdd(q.x, y2, wz), multiplyAdd(q.x, z2, -wy) },
+           { multiplyAdd(q.x, y2, -wz), multiplyAdd(-q.x, x2, one_minus_zz), multiplyAdd(q.y, z2, wx) },
+           { multiplyAdd(q.x, z2, wy), multiplyAdd(q.y, z2, -wx), multiplyAdd(-q.y, y2, one_minus_xx) } };
 }
 
 // The axes of the body, renamed so that X is the bond's (physics.md 2.1).
@@ -306,14 +332,6 @@ inline decltype(auto) bondZ(const Axes<Real>& body)
   {
     return (body.z);
   }
-}
-
-// The vector with these components along the bond's axes.
-template <int AXIS, class Real>
-inline Vector<Real> alongBondAxes(const Axes<Real>& body, const Vector<Real>& components)
-{
-  return multiplyAdd(components.z, bondZ<AXIS>(body),
-                     multiplyAdd(components.y, bondY<AXIS>(body), components.x * bondX<AXIS>(body)));
 }
 
 // Conjugate of a times b, with the vector part in the bond's axes.
@@ -370,6 +388,23 @@ inline void reportDivergence(BatchState& state, uint32_t diverged, int bond, con
   state.diverged |= diverged;
 }
 
+// The turned bond frame: its x and y axes in the world, and the turn of r' onto its x axis.
+template <class Real>
+struct BondFrame
+{
+  Turn<Real> u;
+  Vector<Real> x;
+  Vector<Real> y;
+};
+
+template <class Real>
+inline BondFrame<Real> select(MaskOf<Real> mask, const BondFrame<Real>& a, const BondFrame<Real>& b)
+{
+  return { { select(mask, a.u.w, b.u.w), select(mask, a.u.y, b.u.y), select(mask, a.u.z, b.u.z) },
+           select<Real>(mask, a.x, b.x),
+           select<Real>(mask, a.y, b.y) };
+}
+
 // A bond on its way through the stages of a step.
 template <class Real>
 struct Bond
@@ -379,13 +414,12 @@ struct Bond
   uint32_t switched;  // bit l: lane l's bond changed its regime in this step
   uint32_t small;     // bit l: lane l's bond is in the small-angle regime
   uint32_t sideways;  // bit l: lane l's bond is in the small-angle regime, or remembers that
-  Turn<Real> u;
+  BondFrame<Real> frame;
   Quaternion<Real> n;
   Vector<Real> d;
-  Vector<Real> turned_x;  // axes of the turned bond frame in the world
-  Vector<Real> turned_y;
-  Real a1_y, a1_z;  // alpha_1
-  Vector<Real> a2;  // alpha_2
+  Real twist;         // alpha_2x
+  Real sum_y, sum_z;  // of alpha_1 and alpha_2
+  Real a1_y, a1_z;    // alpha_1
 };
 
 // Whether the ends are aligned well enough for the small-angle regime.
@@ -414,13 +448,59 @@ inline MaskOf<Real> smallAngleRegime(const BodyModel& model, MaskOf<Real> was_sm
   return (was_small & !outside) | ((!was_small) & inside);
 }
 
+// The large-angle regime's frame, turned by the shortest arc: half-angle formulas, and Rodrigues' formula for y (7).
+template <int AXIS, class Real>
+inline BondFrame<Real> shortestTurn(const Axes<Real>& body_axes_1, const Vector<Real>& r_world, const Vector<Real>& r,
+                                    Real inverse_length)
+{
+  const Real one = constant<Real>(1.0);
+  const Real half = constant<Real>(0.5);
+  const Real versine = multiplyAdd(-r.x, inverse_length, one);  // 1 - cos of the angle
+  const Real inverse_half_angle_cosine = inverseHalfAngleCosine(versine);
+  const Real scaling = half * inverse_length * inverse_half_angle_cosine;
+  const Turn<Real> u = { multiplyAdd(-half, versine, one) * inverse_half_angle_cosine, r.z * scaling,
+                         -(r.y * scaling) };
+  const Vector<Real> x = inverse_length * r_world;
+  const Real tilt = u.z * inverse_half_angle_cosine;
+  return { u, x, multiplyAdd(tilt, bondX<AXIS>(body_axes_1) + x, bondY<AXIS>(body_axes_1)) };
+}
+
+// The same where the bond is nearly straight: the reference's first-order turn, and the axes that it turns (2.2, 7).
+template <int AXIS, class Real>
+inline BondFrame<Real> firstOrderTurn(const Axes<Real>& body_axes_1, const Vector<Real>& r_world, const Vector<Real>& r,
+                                      Real inverse_length)
+{
+  const Real one = constant<Real>(1.0);
+  const Real half = constant<Real>(0.5);
+  const Real cosine = r.x * inverse_length;
+  const Real sine_square = multiplyAdd(-cosine, cosine, one);  // so small that a series does for a division
+  const Real inverse_x = inverse_length * cosine * polynomial(sine_square, 1.0, 1.0, 1.0, 1.0, 1.0);
+  const Real y = r.z * (half * inverse_x);
+  const Real z = -(r.y * (half * inverse_x));
+  const Real square = multiplyAdd(y, y, z * z);
+  const Real w = multiplyAdd(-half, square, one);
+  const Vector<Real>& x = bondX<AXIS>(body_axes_1);
+  return { { w, y, z },
+           multiplyAdd(constant<Real>(-1.5) * square, x, (w * inverse_x) * r_world),
+           multiplyAdd(z, multiplyAdd(one - square, x, inverse_x * r_world), bondY<AXIS>(body_axes_1)) };
+}
+
+// The small-angle regime's frame: voxel 1's own.
+template <int AXIS, class Real>
+inline BondFrame<Real> noTurn(const Axes<Real>& body_axes_1)
+{
+  const auto& y = bondY<AXIS>(body_axes_1);
+  return { { constant<Real>(1.0), constant<Real>(0.0), constant<Real>(0.0) },
+           bondX<AXIS>(body_axes_1),
+           { y.x, y.y, y.z } };
+}
+
 // First stage: how the bond is deformed, and the turned frame (2.1, 2.2).
 template <int AXIS, class Real>
 inline void deform(const BodyModel& model, const Axes<Real>& body_axes_1, const Voxel<Real>& voxel_1,
                    const Voxel<Real>& voxel_2, BatchState& state, Bond<Real>& bond)
 {
   using Mask = MaskOf<Real>;
-  const Real one = constant<Real>(1.0);
   const Real half = constant<Real>(0.5);
   const Real zero = constant<Real>(0.0);
   constexpr double theta_s = 0.01732;
@@ -447,59 +527,37 @@ inline void deform(const BodyModel& model, const Axes<Real>& body_axes_1, const 
   bond.switched = was_small_bits ^ small_bits;
   bond.sideways = was_sideways | small_bits;
 
-  // Large-angle: u is the shortest turn of r' onto +x, by half-angle formulas
   const Real square = dot(r_world, r_world);
   const Real inverse_length = inverseSquareRoot(square);
-  const Real length = square * inverse_length;
-  const Real half_inverse_length = half * inverse_length;
-  const Real versine = multiplyAdd(-r.x, inverse_length, one);  // 1 - cos of the angle
-  const Real inverse_half_angle_cosine = inverseHalfAngleCosine(versine);
-  const Real scaling = half_inverse_length * inverse_half_angle_cosine;
-  Turn<Real> u = { multiplyAdd(-half, versine, one) * inverse_half_angle_cosine, r.z * scaling, -(r.y * scaling) };
-  Real stretch = length - rest;
-
-  // The turned frame: x along r, and y turned with it (Rodrigues' formula for the shortest turn)
-  Vector<Real> turned_x = inverse_length * r_world;
-  const auto tilt = -((r.y * half_inverse_length) * (inverse_half_angle_cosine * inverse_half_angle_cosine));
-  Vector<Real> turned_y = multiplyAdd(tilt, bondX<AXIS>(body_axes_1) + turned_x, bondY<AXIS>(body_axes_1));
-
+  Real stretch = multiplyAdd(square, inverse_length, -rest);
+  BondFrame<Real> frame = shortestTurn<AXIS>(body_axes_1, r_world, r, inverse_length);
   const Real bound = constant<Real>(theta_s) * absolute(r.x);
-  const Mask nearly_straight = (absolute(r.y) < bound) & (absolute(r.z) < bound);
-  const Mask special = nearly_straight | is_small;
-  if (any(special))
+  const Mask nearly_straight = (absolute(r.y) < bound) & (absolute(r.z) < bound) & !is_small;
+  if (any(nearly_straight))
   {
-    // First-order turn of the reference; none at all in the small-angle regime
-    const Real half_over_x = half / r.x;
-    const Real y = r.z * half_over_x;
-    const Real z = -(r.y * half_over_x);
-    const Real w = multiplyAdd(-half, multiplyAdd(y, y, z * z), one);
-    u.w = select(is_small, one, select(nearly_straight, w, u.w));
-    u.y = select(is_small, zero, select(nearly_straight, y, u.y));
-    u.z = select(is_small, zero, select(nearly_straight, z, u.z));
-    const Real u_y2 = u.y + u.y;
-    const Real u_z2 = u.z + u.z;
-    const Vector<Real> row_x = { one - multiplyAdd(u.y, u_y2, u.z * u_z2), -(u.w * u_z2), u.w * u_y2 };
-    const Vector<Real> row_y = { u.w * u_z2, multiplyAdd(-u.z, u_z2, one), u.y * u_z2 };
-    turned_x = select<Real>(special, alongBondAxes<AXIS>(body_axes_1, row_x), turned_x);
-    turned_y = select<Real>(special, alongBondAxes<AXIS>(body_axes_1, row_y), turned_y);
+    frame = select<Real>(nearly_straight, firstOrderTurn<AXIS>(body_axes_1, r_world, r, inverse_length), frame);
+  }
+  if (small_bits != 0)
+  {
+    frame = select<Real>(is_small, noTurn<AXIS>(body_axes_1), frame);
     stretch = select(is_small, r.x - rest, stretch);
   }
   bond.d.x = stretch;
-  bond.turned_x = turned_x;
-  bond.turned_y = turned_y;
-  bond.u = u;
+  bond.frame = frame;
 }
 
 // Second stage: rotation vectors of both ends in the turned frame (2.2); that of end 1 has no x component.
 template <class Real>
 inline void rotateEnds(Bond<Real>& bond)
 {
-  const Real factor_1 = rotationFactor(bond.u.w);
-  bond.a1_y = bond.u.y * factor_1;
-  bond.a1_z = bond.u.z * factor_1;
-  const Quaternion<Real> end_2 = bond.u * bond.n;
+  const Real factor_1 = rotationFactor(bond.frame.u.w);
+  bond.a1_y = bond.frame.u.y * factor_1;
+  bond.a1_z = bond.frame.u.z * factor_1;
+  const Quaternion<Real> end_2 = bond.frame.u * bond.n;
   const Real factor_2 = rotationFactor(end_2.w);
-  bond.a2 = { end_2.x * factor_2, end_2.y * factor_2, end_2.z * factor_2 };
+  bond.twist = end_2.x * factor_2;
+  bond.sum_y = multiplyAdd(end_2.y, factor_2, bond.a1_y);
+  bond.sum_z = multiplyAdd(end_2.z, factor_2, bond.a1_z);
 }
 
 template <class Real>
@@ -515,28 +573,24 @@ inline void checkDivergence(const BodyModel& model, const Bond<Real>& bond, Batc
   }
 }
 
-// What bonds remember of their deformation. Sideways displacements are Nothing where no lane has or remembers any.
+// How a bond is deformed, as bonds remember it. Sideways displacements are Nothing where no lane has or remembers any.
 template <class Real, class Sideways>
 struct Deformation
 {
   Real d_x;
   Sideways d_y, d_z;
-  Real a1_y, a1_z;
-  Vector<Real> a2;
+  Real twist;         // alpha_2x
+  Real sum_y, sum_z;  // of alpha_1 and alpha_2
+  Real a1_y, a1_z;    // alpha_1
 };
-
-template <class Real, class Sideways>
-inline Deformation<Real, Sideways> operator-(const Deformation<Real, Sideways>& a, const Deformation<Real, Sideways>& b)
-{
-  return { a.d_x - b.d_x, a.d_y - b.d_y, a.d_z - b.d_z, a.a1_y - b.a1_y, a.a1_z - b.a1_z, a.a2 - b.a2 };
-}
 
 template <class Real, class Sideways>
 inline Deformation<Real, Sideways> select(MaskOf<Real> mask, const Deformation<Real, Sideways>& a,
                                           const Deformation<Real, Sideways>& b)
 {
-  return { select(mask, a.d_x, b.d_x),   select(mask, a.d_y, b.d_y),   select(mask, a.d_z, b.d_z),
-           select(mask, a.a1_y, b.a1_y), select(mask, a.a1_z, b.a1_z), select<Real>(mask, a.a2, b.a2) };
+  return { select(mask, a.d_x, b.d_x),     select(mask, a.d_y, b.d_y),     select(mask, a.d_z, b.d_z),
+           select(mask, a.twist, b.twist), select(mask, a.sum_y, b.sum_y), select(mask, a.sum_z, b.sum_z),
+           select(mask, a.a1_y, b.a1_y),   select(mask, a.a1_z, b.a1_z) };
 }
 
 // The bonds' memories.
@@ -561,36 +615,36 @@ inline Deformation<Real, Sideways> recall(const Memories<Real>& memories, int bo
   const BondMemory<Real>& m = memories.regular[bond];
   if constexpr (std::is_same_v<Sideways, Nothing>)
   {
-    return { m.stretch, {}, {}, m.angle_1_y, m.angle_1_z, m.angle_2 };
+    return { m.stretch, {}, {}, m.twist, m.sum_y, m.sum_z, m.angle_1_y, m.angle_1_z };
   }
   else
   {
     const SidewaysMemory<Real>& sideways = memories.sideways[bond];
-    return { m.stretch, sideways.y, sideways.z, m.angle_1_y, m.angle_1_z, m.angle_2 };
+    return { m.stretch, sideways.y, sideways.z, m.twist, m.sum_y, m.sum_z, m.angle_1_y, m.angle_1_z };
   }
 }
 
 template <class Real, class Sideways>
 inline void remember(const Deformation<Real, Sideways>& now, const Memories<Real>& memories, int bond)
 {
-  memories.regular[bond] = { now.d_x, now.a1_y, now.a1_z, now.a2 };
+  memories.regular[bond] = { now.d_x, now.twist, now.sum_y, now.sum_z, now.a1_y, now.a1_z };
   if constexpr (!std::is_same_v<Sideways, Nothing>)
   {
     memories.sideways[bond] = { now.d_y, now.d_z };
   }
 }
 
-// What has changed in a bond since the last step that was not a switch step; nothing where this one is. Remembers anew.
+// The deformation whose change up to now is damped: that of the last step that was not a switch step, or this one's
+// where nothing is damped. Remembers anew.
 template <class Real, class Sideways>
-inline Deformation<Real, Sideways> changes(bool first_step, const Bond<Real>& bond,
-                                           const Deformation<Real, Sideways>& now, const Memories<Real>& memories)
+inline Deformation<Real, Sideways> dampedSince(bool first_step, const Bond<Real>& bond,
+                                               const Deformation<Real, Sideways>& now, const Memories<Real>& memories)
 {
   if (first_step)
   {
     remember(now, memories, bond.number);
   }
-  const Deformation<Real, Sideways> before = recall<Sideways>(memories, bond.number);
-  Deformation<Real, Sideways> change = now - before;
+  Deformation<Real, Sideways> before = recall<Sideways>(memories, bond.number);
   if (bond.switched == 0)
   {
     remember(now, memories, bond.number);
@@ -598,10 +652,10 @@ inline Deformation<Real, Sideways> changes(bool first_step, const Bond<Real>& bo
   else
   {
     const MaskOf<Real> switched = PackTraits<Real>::maskFromBits(bond.switched);
-    change = select<Real, Sideways>(switched, before - before, change);
     remember(select<Real, Sideways>(switched, before, now), memories, bond.number);
+    before = select<Real, Sideways>(switched, now, before);
   }
-  return change;
+  return before;
 }
 
 // Which lanes' memories are of the small-angle regime after this step.
@@ -612,52 +666,53 @@ inline void rememberRegime(bool first_step, const Bond<Real>& bond, uint8_t& was
   was_sideways = static_cast<uint8_t>((bond.small & ~kept) | (was_sideways & kept));
 }
 
+// What a spring with a damper bears (2.3): stiffness times deformation, and damping times its change.
+template <class Real, class Length>
+inline Length bear(const DampedSpring& spring, Length now, Length before)
+{
+  return multiplyAdd(constant<Real>(spring.present), now, -(constant<Real>(spring.past) * before));
+}
+
 // Third stage: elastic and damping forces and moments (2.3), turned back to the world and onto both voxels.
 template <class Sideways, class Real>
 inline void applyForces(const BodyModel& model, bool first_step, const Bond<Real>& bond, Sideways d_y, Sideways d_z,
                         const Memories<Real>& memories, Load<Real>& load_1, Load<Real>& load_2)
 {
-  const Deformation<Real, Sideways> now = { bond.d.x, d_y, d_z, bond.a1_y, bond.a1_z, bond.a2 };
-  const Deformation<Real, Sideways> change = changes(first_step, bond, now, memories);
-  const Real b1 = constant<Real>(model.shear_stiffness);
-  const Real b2 = constant<Real>(model.coupling_stiffness);
-  const Real b3 = constant<Real>(model.bending_stiffness);
-  const Real c_b1 = constant<Real>(model.shear_damping);
-  const Real c_b2 = constant<Real>(model.coupling_damping);
-  const Real c_b2_moment = constant<Real>(model.coupling_damping_moment);
-  const Real c_b3 = constant<Real>(model.bending_damping);
-
-  const Real sum_y = now.a1_y + now.a2.y;
-  const Real sum_z = now.a1_z + now.a2.z;
-  const Real dsum_y = change.a1_y + change.a2.y;
-  const Real dsum_z = change.a1_z + change.a2.z;
-  const Vector<Real> force = {
-    multiplyAdd(constant<Real>(model.axial_damping), change.d_x, constant<Real>(model.axial_stiffness) * now.d_x),
-    multiplyAdd(c_b1, change.d_y, multiplyAdd(-c_b2, dsum_z, multiplyAdd(b1, now.d_y, -(b2 * sum_z)))),
-    multiplyAdd(c_b1, change.d_z, multiplyAdd(c_b2, dsum_y, multiplyAdd(b1, now.d_z, b2 * sum_y)))
+  const Deformation<Real, Sideways> now = {
+    bond.d.x, d_y, d_z, bond.twist, bond.sum_y, bond.sum_z, bond.a1_y, bond.a1_z
   };
-  const Real twist = multiplyAdd(constant<Real>(model.torsion_damping), change.a2.x,
-                                 constant<Real>(model.torsion_stiffness) * now.a2.x);
-  const Real both_y =
-      multiplyAdd(c_b3, dsum_y, multiplyAdd(c_b2_moment, change.d_z, multiplyAdd(b3, sum_y, b2 * now.d_z)));
-  const Real both_z =
-      multiplyAdd(c_b3, dsum_z, multiplyAdd(-c_b2_moment, change.d_y, multiplyAdd(b3, sum_z, -(b2 * now.d_y))));
-  const Real m1_y = multiplyAdd(c_b3, change.a1_y, multiplyAdd(b3, now.a1_y, both_y));
-  const Real m1_z = multiplyAdd(c_b3, change.a1_z, multiplyAdd(b3, now.a1_z, both_z));
-  const Real m2_y = multiplyAdd(c_b3, change.a2.y, multiplyAdd(b3, now.a2.y, both_y));
-  const Real m2_z = multiplyAdd(c_b3, change.a2.z, multiplyAdd(b3, now.a2.z, both_z));
+  const Deformation<Real, Sideways> before = dampedSince(first_step, bond, now, memories);
 
-  const Vector<Real>& x = bond.turned_x;
-  const Vector<Real>& y = bond.turned_y;
+  const Vector<Real>& x = bond.frame.x;
+  const Vector<Real>& y = bond.frame.y;
   const Vector<Real> z = cross(x, y);
-  const Vector<Real> force_world = multiplyAdd(force.z, z, multiplyAdd(force.y, y, force.x * x));
-  const Vector<Real> twist_world = twist * x;
-  const Vector<Real> m1_world = multiplyAdd(m1_z, z, multiplyAdd(m1_y, y, -twist_world));
-  const Vector<Real> m2_world = multiplyAdd(m2_z, z, multiplyAdd(m2_y, y, twist_world));
-  load_1.force = load_1.force + force_world;
-  load_2.force = load_2.force - force_world;
-  load_1.moment = load_1.moment - m1_world;
-  load_2.moment = load_2.moment - m2_world;
+
+  const Real force_x = bear<Real>(model.tension, now.d_x, before.d_x);
+  const auto force_y =
+      bear<Real>(model.shear, now.d_y, before.d_y) - bear<Real>(model.coupling, now.sum_z, before.sum_z);
+  const Real force_z =
+      bear<Real>(model.shear, now.d_z, before.d_z) + bear<Real>(model.coupling, now.sum_y, before.sum_y);
+  const Vector<Real> force = multiplyAdd(force_z, z, multiplyAdd(force_y, y, force_x * x));
+  load_1.force = load_1.force + force;
+  load_2.force = load_2.force - force;
+
+  // With alpha_2 = sum - alpha_1: 2 alpha_1 + alpha_2 = sum + alpha_1, and alpha_1 + 2 alpha_2 = 2 sum - alpha_1
+  const Real two = constant<Real>(2.0);
+  const Real bend_y = bear<Real>(model.bending, now.sum_y, before.sum_y);
+  const Real bend_z = bear<Real>(model.bending, now.sum_z, before.sum_z);
+  const Real end_y = bear<Real>(model.bending, now.a1_y, before.a1_y);
+  const Real end_z = bear<Real>(model.bending, now.a1_z, before.a1_z);
+  const Sideways push_y = bear<Real>(model.coupling_of_moments, now.d_z, before.d_z);
+  const Sideways push_z = bear<Real>(model.coupling_of_moments, now.d_y, before.d_y);
+  const Real m1_y = (bend_y + end_y) + push_y;
+  const Real m1_z = (bend_z + end_z) - push_z;
+  const Real m2_y = multiplyAdd(two, bend_y, -end_y) + push_y;
+  const Real m2_z = multiplyAdd(two, bend_z, -end_z) - push_z;
+  const Vector<Real> twist = bear<Real>(model.torsion, now.twist, before.twist) * x;
+  const Vector<Real> moment_1 = multiplyAdd(m1_z, z, multiplyAdd(m1_y, y, -twist));
+  const Vector<Real> moment_2 = multiplyAdd(m2_z, z, multiplyAdd(m2_y, y, twist));
+  load_1.moment = load_1.moment - moment_1;
+  load_2.moment = load_2.moment - moment_2;
 }
 
 // ---- self-collision, physics.md 3 --------------------------------------------------------------------------------
@@ -731,16 +786,20 @@ inline Real nextScale(const BodyModel& model, const StepClock& clock, const Voxe
     const Real age = constant<Real>(clock.life_fraction);
     const Real size = multiplyAdd(age, voxel.size_change, voxel.size_at_birth);
     const Real phase = multiplyAdd(age, voxel.phase_change, voxel.phase_at_birth);
-    const Real angle = constant<Real>(6.2831850051879883) * (constant<Real>(clock.cycles) + phase);
-    const Real relative_size_times_4 = constant<Real>(4.0 / model.nominal_size) * size;
-    const Real third = constant<Real>(1.0 / 3.0);
-    const Real damping = minimum(multiplyAdd(third, relative_size_times_4, -third), constant<Real>(1.0));
+    constexpr double cycle = 6.2831850051879883;  // [rad]
+    const Real angle = multiplyAdd(constant<Real>(cycle), phase, constant<Real>(cycle * clock.cycles));
+    const Real growth = multiplyAdd(constant<Real>(4.0 / (3.0 * model.nominal_size)), size, constant<Real>(-1.0 / 3.0));
+    const Real damping = minimum(growth, constant<Real>(1.0));
     scale = multiplyAdd(constant<Real>(model.actuation_amplitude) * damping, sine(angle), size);
   }
   const Real last = voxel.scale;
-  const auto too_small = (scale < last) & (scale < constant<Real>(0.25 * model.nominal_size));
-  const auto too_large = (last < scale) & (constant<Real>(1.75 * model.nominal_size) < scale);
-  return select(too_small | too_large, last, scale);
+  const auto too_small = scale < constant<Real>(0.25 * model.nominal_size);
+  const auto too_large = constant<Real>(1.75 * model.nominal_size) < scale;
+  if (!any(too_small | too_large))
+  {
+    return scale;
+  }
+  return select((too_small & (scale < last)) | (too_large & (last < scale)), last, scale);
 }
 
 // How far the voxel's lower face is below the floor; not positive: no contact.
@@ -752,8 +811,8 @@ inline Real penetration(const Voxel<Real>& voxel)
 
 // Floor contact with friction (4.2): adds to the force, and may stop the voxel.
 template <class Real>
-inline void applyFloor(const BodyModel& model, Real depth, const Vector<Real>& velocity, Voxel<Real>& voxel,
-                       Vector<Real>& force, uint8_t& static_friction_bits)
+inline void applyFloor(const BodyModel& model, Real depth, Voxel<Real>& voxel, Vector<Real>& force,
+                       uint8_t& static_friction_bits)
 {
   using Mask = MaskOf<Real>;
   const Real zero = constant<Real>(0.0);
@@ -763,6 +822,7 @@ inline void applyFloor(const BodyModel& model, Real depth, const Vector<Real>& v
     static_friction_bits = 0;
     return;
   }
+  const Vector<Real> velocity = constant<Real>(model.inverse_mass) * voxel.momentum;
   const Real normal = constant<Real>(model.floor_stiffness) * depth;
   const Real vertical = multiplyAdd(constant<Real>(-model.floor_damping), velocity.z, normal + force.z);
   force.z = select(touching, vertical, force.z);
@@ -790,11 +850,11 @@ template <class Real>
 inline Vector<Real> totalForce(const BodyModel& model, const Load<Real>& load, Voxel<Real>& voxel,
                                uint8_t& static_friction_bits)
 {
-  const Vector<Real> velocity = constant<Real>(model.inverse_mass) * voxel.momentum;
-  Vector<Real> force = multiplyAdd(constant<Real>(-model.translation_drag), velocity, load.force);
+  const Real drag = constant<Real>(model.translation_drag * model.inverse_mass);
+  Vector<Real> force = multiplyAdd(-drag, voxel.momentum, load.force);
   force.y = force.y - constant<Real>(model.weight_along_slope);
   force.z = force.z - constant<Real>(model.weight);
-  applyFloor(model, penetration(voxel), velocity, voxel, force, static_friction_bits);
+  applyFloor(model, penetration(voxel), voxel, force, static_friction_bits);
   return force;
 }
 
@@ -819,7 +879,7 @@ inline void integrateRotation(const BodyModel& model, const Vector<Real>& moment
   const Real y = multiplyAdd(-turn.x, q.z, multiplyAdd(turn.z, q.x, multiplyAdd(turn.y, q.w, q.y)));
   const Real z = multiplyAdd(-turn.y, q.x, multiplyAdd(turn.x, q.y, multiplyAdd(turn.z, q.w, q.z)));
   const Real square = multiplyAdd(z, z, multiplyAdd(y, y, multiplyAdd(x, x, w * w)));
-  const Real scaling = inverseSquareRoot(square);
+  const Real scaling = inverseSquareRootNearOne(square);
   voxel.orientation = { w * scaling, x * scaling, y * scaling, z * scaling };
 
   // The reference takes a turn too small to make its w less than 1 for none

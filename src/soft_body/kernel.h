@@ -7,6 +7,13 @@ namespace devo_evo
 /// Most robots that any kernel simulates in lock-step.
 constexpr int MAX_LANES = 8;
 
+/// A spring with a damper: it bears `present` times its deformation now, minus `past` times that of the last step.
+struct DampedSpring
+{
+  double present;  ///< stiffness, and damping constant over dt
+  double past;     ///< damping constant over dt
+};
+
 /// What a batch of robots has in common: lattice and material. Symbols as in docs/physics.md; SI units.
 struct BodyModel
 {
@@ -23,24 +30,20 @@ struct BodyModel
   double weight;              ///< of a voxel, along -z: m g cos(slope)
   double weight_along_slope;  ///< along -y: m g sin(slope); never -0.0, so that on level ground it changes no bit
   double axial_stiffness;     ///< a1 = E A / L
-  double torsion_stiffness;   ///< a2 = G J / L
-  double shear_stiffness;     ///< b1 = 12 E J2 / L^3
-  double coupling_stiffness;  ///< b2 = 6 E J2 / L^2
-  double bending_stiffness;   ///< b3 = 2 E J2 / L
-  // Damping ratios times damping constants over dt: they act on changes in one step.
-  double axial_damping;            ///< zeta_b c_a1 / (2 dt)
-  double torsion_damping;          ///< zeta_b c_a2 / (4 dt)
-  double shear_damping;            ///< zeta_b c_b1 / (2 dt)
-  double coupling_damping;         ///< zeta_b c_b2 / (2 dt), of forces
-  double coupling_damping_moment;  ///< zeta_b c_b2 / (4 dt), of moments
-  double bending_damping;          ///< zeta_b c_b3 / (4 dt)
-  double translation_drag;         ///< zeta_g 2 sqrt(m E L)
-  double rotation_decay;           ///< factor on H in every step
-  double floor_stiffness;          ///< 2 E L
-  double floor_damping;            ///< zeta_c 2 sqrt(m E L)
-  double static_friction;          ///< mu_s
-  double dynamic_friction;         ///< mu_d
-  double actuation_amplitude;      ///< A L
+  // Stiffness; damping constant times damping ratio.
+  DampedSpring tension;              ///< a1; zeta_b c_a1 / 2
+  DampedSpring torsion;              ///< a2 = G J / L; zeta_b c_a2 / 4
+  DampedSpring shear;                ///< b1 = 12 E J2 / L^3; zeta_b c_b1 / 2
+  DampedSpring coupling;             ///< b2 = 6 E J2 / L^2; zeta_b c_b2 / 2: of forces
+  DampedSpring coupling_of_moments;  ///< b2; zeta_b c_b2 / 4
+  DampedSpring bending;              ///< b3 = 2 E J2 / L; zeta_b c_b3 / 4
+  double translation_drag;           ///< zeta_g 2 sqrt(m E L)
+  double rotation_decay;             ///< factor on H in every step
+  double floor_stiffness;            ///< 2 E L
+  double floor_damping;              ///< zeta_c 2 sqrt(m E L)
+  double static_friction;            ///< mu_s
+  double dynamic_friction;           ///< mu_d
+  double actuation_amplitude;        ///< A L
   bool sideways_bend_test;
 };
 
@@ -81,8 +84,9 @@ enum VoxelField : int
 enum BondField : int
 {
   STRETCH = 0,  ///< d: x
-  ANGLE_1 = 1,  ///< alpha_1: y, z (its x is always 0)
-  ANGLE_2 = 3,  ///< alpha_2: x, y, z
+  TWIST = 1,    ///< alpha_2: x (that of alpha_1 is always 0)
+  SUM = 2,      ///< alpha_1 and alpha_2 together: y, z
+  ANGLE_1 = 4,  ///< alpha_1: y, z
   BOND_FIELDS = 6
 };
 

@@ -65,6 +65,15 @@ inline double select(bool mask, double if_true, double if_false)
 {
   return mask ? if_true : if_false;
 }
+// Where the comparison is false, also for NaN, the second is taken: the same in each type.
+inline double minimum(double a, double b)
+{
+  return a < b ? a : b;
+}
+inline double maximum(double a, double b)
+{
+  return b < a ? a : b;
+}
 inline uint32_t bits(bool mask)
 {
   return mask ? 1u : 0u;
@@ -189,6 +198,14 @@ inline Pack8 select(Mask8 mask, Pack8 if_true, Pack8 if_false)
 {
   return { _mm512_mask_blend_pd(mask.v, if_false.v, if_true.v) };
 }
+inline Pack8 minimum(Pack8 a, Pack8 b)
+{
+  return { _mm512_min_pd(a.v, b.v) };
+}
+inline Pack8 maximum(Pack8 a, Pack8 b)
+{
+  return { _mm512_max_pd(a.v, b.v) };
+}
 inline uint32_t bits(Mask8 mask)
 {
   return mask.v;
@@ -306,6 +323,14 @@ inline Pack4 select(Mask4 mask, Pack4 if_true, Pack4 if_false)
 {
   return { _mm256_blendv_pd(if_false.v, if_true.v, mask.v) };
 }
+inline Pack4 minimum(Pack4 a, Pack4 b)
+{
+  return { _mm256_min_pd(a.v, b.v) };
+}
+inline Pack4 maximum(Pack4 a, Pack4 b)
+{
+  return { _mm256_max_pd(a.v, b.v) };
+}
 inline uint32_t bits(Mask4 mask)
 {
   return static_cast<uint32_t>(_mm256_movemask_pd(mask.v));
@@ -332,9 +357,25 @@ inline Nothing operator-(Nothing)
 {
   return {};
 }
-inline Nothing operator-(Nothing, Nothing)
+template <class Real>
+inline auto operator-(Nothing, Real b)
 {
-  return {};
+  return -b;
+}
+template <class Real>
+inline Real operator-(Real a, Nothing)
+{
+  return a;
+}
+template <class Real>
+inline Real operator+(Nothing, Real b)
+{
+  return b;
+}
+template <class Real>
+inline Real operator+(Real a, Nothing)
+{
+  return a;
 }
 template <class Mask>
 inline Nothing select(Mask, Nothing, Nothing)
@@ -389,19 +430,6 @@ template <class Pack, class Addend>
 inline Pack multiplyAdd(Pack a, Negated<Pack> b, Addend c)
 {
   return multiplyAdd(Negated<Pack>{ a }, b.a, c);
-}
-
-// Where the comparison is false, also for NaN, the second is taken: the same in each type.
-template <class Real>
-inline Real minimum(Real a, Real b)
-{
-  return select(a < b, a, b);
-}
-
-template <class Real>
-inline Real maximum(Real a, Real b)
-{
-  return select(b < a, a, b);
 }
 }  // namespace
 }  // namespace devo_evo

@@ -149,6 +149,16 @@ inline CountedPack<N> select(CountedMask<N> mask, CountedPack<N> if_true, Counte
                      [&](int lane) { return (mask.bits >> lane & 1u) != 0 ? if_true.v[lane] : if_false.v[lane]; });
 }
 template <int N>
+inline CountedPack<N> minimum(CountedPack<N> a, CountedPack<N> b)
+{
+  return mapLanes<N>(counts.simple, [&](int lane) { return minimum(a.v[lane], b.v[lane]); });
+}
+template <int N>
+inline CountedPack<N> maximum(CountedPack<N> a, CountedPack<N> b)
+{
+  return mapLanes<N>(counts.simple, [&](int lane) { return maximum(a.v[lane], b.v[lane]); });
+}
+template <int N>
 inline uint32_t bits(CountedMask<N> mask)
 {
   return mask.bits;
