@@ -58,6 +58,15 @@ LineagePanel::LineagePanel(QWidget* parent)
   connectControls();
 }
 
+LineagePanel::~LineagePanel()
+{
+  // They outlive us, and a field that loses the focus as it goes says that it has been edited.
+  for (QWidget* control : findChildren<QWidget*>())
+  {
+    control->blockSignals(true);
+  }
+}
+
 QLayout* LineagePanel::makeExperimentRow()
 {
   experiment_->setPlaceholderText("the running one, or the player's");

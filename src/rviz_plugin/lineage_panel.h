@@ -30,6 +30,9 @@ class LineagePanel : public rviz::Panel
 {
 public:
   explicit LineagePanel(QWidget* parent = nullptr);
+  ~LineagePanel() override;
+  LineagePanel(const LineagePanel&) = delete;
+  LineagePanel& operator=(const LineagePanel&) = delete;
 
   void onInitialize() override;
   void load(const rviz::Config& config) override;

@@ -532,6 +532,16 @@ TEST_F(Panel, ClosesWhileAPlayerDoesNotAnswer)
   EXPECT_LT(closing.elapsed(), 4000);
 }
 
+TEST_F(Panel, ClosesWhileAnExperimentIsBeingTyped)
+{
+  ShownPanel panel;
+  ASSERT_TRUE(knows(panel, lineage()));
+  auto& field = panel.find<QLineEdit>("experiment");
+  field.setFocus();
+  QTest::keyClicks(&field, "/half/a/na");
+  panel.close();
+}
+
 TEST_F(Panel, SaysThatThereIsNoPlayer)
 {
   const ShownPanel panel(ofPlayer("nobody"));
