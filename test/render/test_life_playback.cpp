@@ -85,7 +85,7 @@ TEST(LifePlayback, LengthAndPhaseDevelopLinearly)
   program.control_final.assign(48, 0.2);
   LifePlayback playback(BodySettings(settings), program);
   playback.advanceTo(0.25);
-  const ShownPart& voxel = playback.frame().parts[17];
+  const ShownPart voxel = playback.frame().parts[17];
   constexpr double LAST_STEP = 1e-4;  // resting lengths are those of the last step
   EXPECT_NEAR(voxel.resting_length, 0.01075, LAST_STEP * 0.003 * 10);
   EXPECT_NEAR(voxel.remaining_development, 0.00225, LAST_STEP * 0.003 * 10);
