@@ -34,7 +34,9 @@ int main(int argc, char** argv)
           recorder.work();
         }
         const auto end = std::chrono::steady_clock::now() + LONGEST_END;
-        while (ros::ok() && !recorder.nothingComes() && std::chrono::steady_clock::now() < end)
+        // What they have published is written, however long that takes.
+        while (ros::ok() && !recorder.nothingComes() &&
+               (recorder.publishersAreGone() || std::chrono::steady_clock::now() < end))
         {
           recorder.work();
         }

@@ -31,6 +31,12 @@ std::string freePath(const std::string& folder)
     }
   }
 }
+
+/// The destructor of a bag that cannot be written would write again, and throw.
+void neverDestroy(std::unique_ptr<rosbag::Bag> bag)
+{
+  [[maybe_unused]] static rosbag::Bag* const kept = bag.release();
+}
 }  // namespace
 
 Recorder::Recorder(ros::NodeHandle node, std::string folder, const std::vector<std::string>& topics)
@@ -56,17 +62,21 @@ void Recorder::work()
   }
   catch (const rosbag::BagException& e)
   {
-    static_cast<void>(bag_.release());  // its destructor would write again, and throw
+    neverDestroy(std::move(bag_));
     throw std::runtime_error("cannot go on recording to " + path_ + ACTIVE + ": " + e.what() +
                              "; what it holds can be read after: rosbag reindex");
   }
 }
 
-bool Recorder::nothingComes()
+bool Recorder::publishersAreGone() const
 {
   const auto silent = [](const ros::Subscriber& subscriber) { return subscriber.getNumPublishers() == 0; };
-  // In this order: a publisher's last message is in the queue before it is gone.
-  return std::all_of(subscribers_.begin(), subscribers_.end(), silent) && queue_.isEmpty();
+  return std::all_of(subscribers_.begin(), subscribers_.end(), silent);
+}
+
+bool Recorder::nothingComes()
+{
+  return publishersAreGone() && queue_.isEmpty();  // in this order: a last message is queued before its publisher is gone
 }
 
 void Recorder::write(const std::string& topic, const Event& event)
@@ -103,7 +113,7 @@ void Recorder::close()
   }
   catch (const std::exception& e)
   {
-    static_cast<void>(bag_.release());
+    neverDestroy(std::move(bag_));
     throw std::runtime_error("cannot end the recording " + path_ + ACTIVE + ": " + e.what());
   }
 }

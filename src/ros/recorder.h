@@ -24,6 +24,9 @@ public:
   /// Writes what has come, and waits for more for a moment. @throw std::runtime_error if it cannot be written.
   void work();
 
+  /// Whether nobody publishes any of the topics any more; what they have sent may still have to be written.
+  bool publishersAreGone() const;
+
   /// Whether nobody publishes any of the topics any more and everything that came is written.
   bool nothingComes();
 
