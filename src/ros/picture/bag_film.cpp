@@ -45,6 +45,18 @@ std::vector<std::string> robotTopics(rosbag::Bag& bag, const std::string& path)
   return { first + "robot", first + "floor" };
 }
 
+void addMarkers(const MarkerArray& markers, const std::string& bag_path, MarkerPicture& picture)
+{
+  try
+  {
+    picture.add(markers);
+  }
+  catch (const InvalidInput& error)
+  {
+    throw InvalidInput(bag_path + ": " + error.what());
+  }
+}
+
 void film(rosbag::Bag& bag, const std::string& bag_path, const std::string& path, const PictureFormat& format,
           const FilmProgress& progress)
 {
@@ -73,10 +85,9 @@ void film(rosbag::Bag& bag, const std::string& bag_path, const std::string& path
       paint();
     }
     next = picture.hasRobot() && time - next < LONGEST_GAP ? next : time;
-    const MarkerArray::ConstPtr markers = message.instantiate<MarkerArray>();
-    if (markers != nullptr)
+    if (const MarkerArray::ConstPtr markers = message.instantiate<MarkerArray>())
     {
-      picture.add(*markers);
+      addMarkers(*markers, bag_path, picture);
     }
   }
   if (picture.hasRobot())
