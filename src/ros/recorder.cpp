@@ -76,7 +76,8 @@ bool Recorder::publishersAreGone() const
 
 bool Recorder::nothingComes()
 {
-  return publishersAreGone() && queue_.isEmpty();  // in this order: a last message is queued before its publisher is gone
+  // In this order: a last message is in the queue before its publisher is gone.
+  return publishersAreGone() && queue_.isEmpty();
 }
 
 void Recorder::write(const std::string& topic, const Event& event)

@@ -17,6 +17,25 @@ from devo_evo.msg import VelocityTelemetry
 from devo_evo_testing import SMALL, VOXEL_ARRAYS, ExperimentTest, array_sizes, program, wait_until
 
 
+class Rest:
+    """Whether a process has hardly used the processor for the last second."""
+
+    def __init__(self, pid):
+        self.path = '/proc/%d/stat' % pid
+        self.since, self.ticks = time.monotonic(), self.used()
+
+    def used(self):
+        """Its processor time so far, in ticks of 10 ms."""
+        with open(self.path) as stat:
+            fields = stat.read().rpartition(')')[2].split()
+        return int(fields[11]) + int(fields[12])
+
+    def __call__(self):
+        if self.used() > self.ticks + 5:
+            self.since, self.ticks = time.monotonic(), self.used()
+        return time.monotonic() > self.since + 1.0
+
+
 class RecordTest(ExperimentTest):
 
     def record_experiment(self, **arguments):
@@ -113,8 +132,10 @@ class RecordTest(ExperimentTest):
                 awakening.start()
             telemetry.id = number
             publisher.publish(telemetry)
-        publisher.unregister()
         awakening.join()
+        # When a publisher leaves the master, roscpp does not read what it had sent.
+        wait_until(Rest(recorder.process.pid), 'the recorder has read everything')
+        publisher.unregister()
         recorder.signal(signal.SIGINT)
         self.assertEqual(recorder.wait(), 0, recorder.output())
         messages = self.read(self.output + '/run-1.bag')
