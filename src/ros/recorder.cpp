@@ -35,7 +35,8 @@ std::string freePath(const std::string& folder)
 /// The destructor of a bag that cannot be written would write again, and throw.
 void neverDestroy(std::unique_ptr<rosbag::Bag> bag)
 {
-  [[maybe_unused]] static rosbag::Bag* const kept = bag.release();
+  [[maybe_unused]] static rosbag::Bag* kept = nullptr;
+  kept = bag.release();
 }
 }  // namespace
 

@@ -392,11 +392,6 @@ inline Addend multiplyAdd(Real, Nothing, Addend c)
 {
   return c;
 }
-template <class Real>
-inline Real multiplyAdd(Real a, Real b, Nothing)
-{
-  return a * b;
-}
 
 // ---- for every type ----------------------------------------------------------------------------------------------
 template <class Real>
@@ -418,12 +413,6 @@ template <class Pack>
 inline Pack operator-(Negated<Pack> a)
 {
   return a.a;
-}
-
-template <class Pack>
-inline Negated<Pack> operator*(Pack a, Negated<Pack> b)
-{
-  return { a * b.a };
 }
 
 template <class Pack, class Addend>

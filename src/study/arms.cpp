@@ -80,6 +80,12 @@ std::vector<Arm> rigidArms(const Parameters& parameters)
 }
 }  // namespace
 
+const std::vector<BodyKind>& studiedBodies()
+{
+  static const std::vector<BodyKind> kinds = { BodyKind::SOFT, BodyKind::RIGID };
+  return kinds;
+}
+
 ExperimentSettings ofBody(BodyKind kind, const ExperimentSettings& settings)
 {
   Parameters parameters;

@@ -15,6 +15,9 @@ struct Arm
   ExperimentSettings settings;
 };
 
+/// The kinds of bodies that a study's arms have.
+const std::vector<BodyKind>& studiedBodies();
+
 /// A study's settings as an experiment with one kind of body takes them: the other kind's parameters at their defaults.
 ExperimentSettings ofBody(BodyKind kind, const ExperimentSettings& settings);
 

@@ -159,7 +159,7 @@ std::string defaultStudyOutput(const Parameters& parameters)
 void validateStudy(const Parameters& parameters)
 {
   const SoftBodySettings& voxels = softSettings(parameters.experiment.body, "a study");
-  for (const BodyKind kind : { BodyKind::SOFT, BodyKind::RIGID })
+  for (const BodyKind kind : studiedBodies())
   {
     ofBody(kind, parameters.experiment).validate();
   }

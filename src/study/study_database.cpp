@@ -13,8 +13,6 @@ namespace devo_evo
 {
 namespace
 {
-const std::vector<BodyKind> BODIES = { BodyKind::SOFT, BodyKind::RIGID };  // of a study's arms
-
 std::string settingsText(const SoftBodySettings& body)
 {
   Parameters parameters;
@@ -77,9 +75,9 @@ void StudyDatabase::begin(const Parameters& parameters, const Provenance& proven
   SQLite::Transaction transaction(connection_->database(), SQLite::TransactionBehavior::IMMEDIATE);
   if (!createSchema(*connection_, studyFile(), studyTables()))
   {
-    checkResumable(*connection_, parameters.experiment, BODIES);
+    checkResumable(*connection_, parameters.experiment, studiedBodies());
   }
-  writeSettings(*connection_, parameters.experiment, BODIES);
+  writeSettings(*connection_, parameters.experiment, studiedBodies());
   for (const ParameterSpec& spec : parameterSpecs())
   {
     if (spec.group == "study")
