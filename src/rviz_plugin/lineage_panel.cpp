@@ -203,8 +203,8 @@ void LineagePanel::save(rviz::Config config) const
   rviz::Panel::save(config);
   config.mapSetValue("Player", player_);
   config.mapSetValue("Experiment", experiment_->text());
-  config.mapSetValue("Trial", static_cast<int>(chosenTrial().value_or(0)));
   const bool ancestor = !follows_ && !view_.individuals.empty();
+  config.mapSetValue("Trial", static_cast<int>(ancestor ? view_.trial : chosenTrial().value_or(0)));
   config.mapSetValue("Ancestor", static_cast<int>(ancestor ? view_.individuals[chosen_].individual.id : CHAMPION));
   config.mapSetValue("Speed", speed_->value());
   config.mapSetValue("Colour", colour_->currentData());
@@ -272,22 +272,23 @@ void LineagePanel::takeReading(const Reading& reading, int64_t choice)
 
 void LineagePanel::takeView(const LineageView& view)
 {
-  const bool same_trial = view.folder == view_.folder && view.trial == view_.trial && !view_.individuals.empty();
-  const int64_t id = wanted_id_ != CHAMPION ? wanted_id_ : same_trial ? view_.individuals[chosen_].individual.id : -1;
-  const bool keeps = wanted_id_ != CHAMPION || (same_trial && !follows_);
-  const std::vector<int64_t> trials = view.trials;
+  const bool same_experiment = view.folder == view_.folder && !view_.individuals.empty();
+  const bool wanted = wanted_id_ != CHAMPION;
+  const int64_t trial = wanted || !same_experiment ? view.trial : view_.trial;
+  const int64_t id = wanted ? wanted_id_ : same_experiment ? view_.individuals[chosen_].individual.id : -1;
+  const bool keeps = wanted || (same_experiment && !follows_);
   const LineageView before = std::exchange(view_, view);
-  const std::optional<size_t> position = positionOf(view.trial, id);
-  if (keeps && !position && same_trial && wanted_id_ == CHAMPION)
+  const std::optional<size_t> position = positionOf(trial, id);
+  if (keeps && !position && !wanted)
   {
-    view_ = before;  // another line has won; who is looked at is not among them
-    view_.trials = trials;
+    view_ = before;  // another line or trial leads; who is looked at is not of it
+    view_.trials = view.trials;
   }
   else
   {
     follows_ = !(keeps && position);
     chosen_ = follows_ ? view_.individuals.size() - 1 : *position;
-    if (wanted_id_ != CHAMPION && !position)
+    if (wanted && !position)
     {
       read_error_ = "individual " + QString::number(view.trial) + "/" + QString::number(wanted_id_) +
                     " is no ancestor of the champion; the champion is shown";

@@ -276,6 +276,33 @@ TEST_F(Panel, TheSliderLeadsAlongTheLineageToTheChampionThatIsFollowed)
   EXPECT_TRUE(eventually([&] { return panel.says("description", nameOf(lineage().back())); })) << "and the panel";
 }
 
+TEST_F(Panel, AnAncestorStaysChosenWhenAnotherTrialTakesTheLead)
+{
+  settings_.output = folder_.path() + "/growing";
+  settings_.trials = 1;
+  settings_.generations = 30;
+  evolveReally(settings_);
+  ros::param::set("evolver/output", settings_.output);
+  const std::vector<ArchivedIndividual> first = lineage(1);
+  const ShownPanel panel;
+  ASSERT_TRUE(knows(panel, first));
+  panel.clickPlot(1);
+  settings_.trials = 2;
+  settings_.generations = 110;
+  evolveReally(settings_);
+  ASSERT_EQ(lineage().front().individual.trial, 2) << "it leads now";
+  EXPECT_TRUE(eventually([&] { return panel.find<QComboBox>("trial").count() == 3; })) << "it has been read";
+  EXPECT_EQ(panel.slider().value(), 1);
+  EXPECT_TRUE(panel.says("description", nameOf(first[1]))) << panel.text("description");
+  int saved_trial = 0;
+  ASSERT_TRUE(panel.saved().mapGetInt("Trial", &saved_trial));
+  EXPECT_EQ(saved_trial, 1) << "an ancestor's id means nothing without its trial";
+
+  QTest::keyClick(&panel.slider(), Qt::Key_End);
+  EXPECT_TRUE(knows(panel, lineage())) << "who looks at the champion follows the best trial";
+  EXPECT_TRUE(playerShows(nameOf(lineage().back())));
+}
+
 TEST_F(Panel, PausesAndChangesSpeedAndColour)
 {
   const ShownPanel panel;
