@@ -4,6 +4,7 @@ find_package(benchmark REQUIRED)
 add_executable(devo_evo_benchmark
   test/benchmark/counted_parts.cpp
   test/benchmark/experiment_benchmarks.cpp
+  test/benchmark/fastest_slices.cpp
   test/benchmark/kernel_parts_avx2.cpp
   test/benchmark/kernel_parts_avx512.cpp
   test/benchmark/kernel_parts_scalar.cpp

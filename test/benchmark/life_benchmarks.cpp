@@ -1,5 +1,6 @@
 #include "benchmark/life_benchmarks.h"
 
+#include "benchmark/fastest_slices.h"
 #include "benchmark/instruction_sets.h"
 #include "benchmark/known_results.h"
 #include "benchmark/life_scenes.h"
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <memory>
 #include <stdexcept>
 
 namespace devo_evo
@@ -47,6 +49,31 @@ void checkAllLivedOn(const LifeScene& scene, const std::vector<Evaluation>& eval
   }
 }
 
+/// What evaluate() does, in slices.
+std::vector<Evaluation> evaluateInSlices(const LifeScene& scene, InstructionSet instruction_set, FastestSlices& slices)
+{
+  const size_t lanes = static_cast<size_t>(laneCount(instruction_set));
+  std::vector<Evaluation> evaluations;
+  slices.begin();
+  for (size_t first = 0; first < scene.robots.size(); first += lanes)
+  {
+    const auto begin = scene.robots.begin() + static_cast<std::ptrdiff_t>(first);
+    const auto end = begin + static_cast<std::ptrdiff_t>(std::min(lanes, scene.robots.size() - first));
+    const auto simulation = makeSimulation(scene.settings, { begin, end }, instruction_set);
+    while (!simulation->finished())
+    {
+      simulation->step();
+      slices.took(simulation->stepCount());
+    }
+    for (int robot = 0; robot < simulation->robotCount(); ++robot)
+    {
+      evaluations.push_back(simulation->evaluation(robot));
+    }
+    slices.endSlice();
+  }
+  return evaluations;
+}
+
 /// Counters are per CPU second of the one thread that works.
 void report(benchmark::State& state, const LifeScene& scene, InstructionSet instruction_set)
 {
@@ -79,14 +106,17 @@ void report(benchmark::State& state, const LifeScene& scene, InstructionSet inst
   state.counters["ns_per_bond_and_group"] = inverse(groups * steps * bonds * nanosecond);
 }
 
-void runLives(benchmark::State& state, const LifeScene& scene, InstructionSet instruction_set)
+void runLives(benchmark::State& state, const LifeScene& scene, InstructionSet instruction_set,
+              const std::shared_ptr<FastestSlices>& slices)
 {
   warmUp(scene, instruction_set);
   std::vector<Evaluation> evaluations;
   for (auto _ : state)
   {
-    evaluations = evaluate(scene.settings, scene.robots, instruction_set);
+    evaluations = evaluateInSlices(scene, instruction_set, *slices);
+    state.SetIterationTime(slices->sum());
   }
+  state.counters["whole_s"] = slices->whole();
   verifyResults(scene.name, combinedHash(evaluations));
   checkAllLivedOn(scene, evaluations);
   report(state, scene, instruction_set);
@@ -100,8 +130,9 @@ void registerLifeBenchmarks()
     for (const InstructionSet instruction_set : measuredInstructionSets())
     {
       const std::string name = "lives/" + scene.name + "/" + toString(instruction_set);
-      benchmark::RegisterBenchmark(name.c_str(), runLives, scene, instruction_set)
+      benchmark::RegisterBenchmark(name.c_str(), runLives, scene, instruction_set, std::make_shared<FastestSlices>())
           ->Iterations(1)
+          ->UseManualTime()
           ->Unit(benchmark::kMillisecond);
     }
   }

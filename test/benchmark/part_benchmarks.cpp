@@ -1,6 +1,7 @@
 #include "benchmark/part_benchmarks.h"
 
 #include "benchmark/counted_parts.h"
+#include "benchmark/fastest_slices.h"
 #include "benchmark/instruction_sets.h"
 #include "benchmark/kernel_parts.h"
 #include "benchmark/life_scenes.h"
@@ -16,6 +17,7 @@
 #include <cstring>
 #include <limits>
 #include <map>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -255,21 +257,25 @@ void runParts(benchmark::State& state, const Target& target)
   state.counters["voxels"] = groups.settings.voxelCount();
 }
 
-void runLoop(benchmark::State& state, int listings, const Target& target)
+void runLoop(benchmark::State& state, int listings, const Target& target, const std::shared_ptr<FastestSlices>& slices)
 {
   const Groups groups(*target.kernel);
   int64_t steps = 0;
   for (auto _ : state)
   {
+    slices->begin();
     for (const Robots& robots : groups.robots)
     {
       LivingBatch batch(groups.settings, robots, *target.kernel, listings);
       while (!batch.finished())
       {
         batch.step();
+        slices->took(batch.stepCount());
       }
+      slices->endSlice();
       steps += batch.stepCount();
     }
+    state.SetIterationTime(slices->sum());
   }
   using benchmark::Counter;
   state.counters["us_per_step"] =
@@ -316,7 +322,9 @@ void registerPartBenchmarks()
     add("parts/" + name, runParts, target)->UseManualTime();
     for (const int listings : { 1, MANY_LISTINGS })
     {
-      add("loop/" + name + "/listings:" + toText(listings), runLoop, listings, target);
+      add("loop/" + name + "/listings:" + toText(listings), runLoop, listings, target,
+          std::make_shared<FastestSlices>())
+          ->UseManualTime();
     }
     if (target.limits != nullptr)
     {
