@@ -40,11 +40,22 @@ class BenchmarkReportTest(unittest.TestCase):
         self.assertEqual({name: [each["cpu_time"] for each in of_one] for name, of_one in found.items()},
                          {"lives/a/avx2": [1.0, 2.0], "experiments/b/threads:2": [2.0, 1.0]})
 
-    def test_unrest_is_how_much_longer_the_middle_repetition_of_a_life_takes_than_its_fastest(self):
-        raw = {"benchmarks": [run(name, cpu, 0.0) for name, times in
-                              (("lives/a", (1.2, 1.0, 9.0)), ("lives/b", (2.0, 2.0, 2.0)), ("lives/c", (5.0, 7.0, 6.0)),
-                               ("limits/d", (1.0, 8.0, 8.0))) for cpu in times]}
+    def test_unrest_is_how_much_longer_the_middle_repetition_of_a_whole_life_takes_than_its_fastest_slices(self):
+        raw = {"benchmarks": [{**run(f"{name}/iterations:1/manual_time", 0.0, slices_ms), "whole_s": whole}
+                              for name, slices_ms, wholes in (("lives/a", 1000.0, (1.2, 1.1, 9.0)),
+                                                              ("lives/b", 2000.0, (2.0, 2.0, 2.0)),
+                                                              ("lives/c", 4000.0, (5.0, 7.0, 6.0))) for whole in wholes]}
+        raw["benchmarks"].append(run("limits/d", 1.0, 8.0))
         self.assertAlmostEqual(benchmark_report.unrest(benchmark_report.repetitions(raw)), 0.2)
+
+    def test_processors_are_compared_at_the_rate_of_the_targets_core(self):
+        lives = {f"lives/{scene}/avx512": {"s_per_evaluation": time}
+                 for scene, time in (("evo_devo_paper", 0.05), ("evo_devo_released_code", 0.03))}
+        # 16 operations in 0.2 ns are 80 GFLOP/s, of the 108 of the targets' core: 0.04 s x 80 / 108.
+        limit = {"limits/avx512/multiply_add/independent": {"lanes": 8, "ns_per_operation": 0.2}}
+        report = benchmark_report.Report({"processor": "P", "devo_evo": "0.1.0 (abc)", "benchmarks": {**lives, **limit}})
+        self.assertEqual(list(report.of_processor()),
+                         [["P", "abc", "avx512", "80", "0.04", "0.0296", "at most 0.036"]])
 
     def test_tables_are_put_in_their_places(self):
         page = "a\n<!-- table x -->\nold\n<!-- end -->\nb\n<!-- table y -->\n<!-- end -->\n"
