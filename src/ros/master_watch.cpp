@@ -4,6 +4,7 @@
 
 #include <ros/connection_manager.h>
 #include <ros/console.h>
+#include <ros/init.h>
 #include <ros/master.h>
 #include <ros/network.h>
 #include <ros/publication.h>
@@ -95,12 +96,16 @@ bool registerSubscription(const std::string& topic)
   return true;
 }
 
-bool registerService(const std::string& service)
+bool registerService(const std::string& service, const std::string& address)
 {
-  const std::string address =
-      "rosrpc://" + ros::network::getHost() + ":" + std::to_string(ros::ConnectionManager::instance()->getTCPPort());
   XmlRpcValue answer;
   return callMaster("registerService", { service, address, ownUri() }, answer);
+}
+
+/// Of this node's services.
+std::string serviceAddress()
+{
+  return "rosrpc://" + ros::network::getHost() + ":" + std::to_string(ros::ConnectionManager::instance()->getTCPPort());
 }
 }  // namespace
 
@@ -149,7 +154,7 @@ private:
                                               "it is back. If it has ended, start it again: roscore -p "
                                            << ros::master::getPort());
     }
-    else if (acquaintance == Acquaintance::UNKNOWN && registerAll())
+    else if (acquaintance == Acquaintance::UNKNOWN && !ros::isShuttingDown() && registerAll())
     {
       missing_ = false;
       ROS_WARN_STREAM("the ROS master at " << ros::master::getURI()
@@ -173,7 +178,7 @@ private:
     bool registered = true;
     for (const std::string& service : services_)
     {
-      registered = registered && registerService(service);
+      registered = registered && registerService(service, address_);
     }
     for (const std::string& topic : publications)
     {
@@ -187,6 +192,7 @@ private:
   }
 
   const std::vector<std::string> services_;
+  const std::string address_ = serviceAddress();  // roscpp has none any more once it shuts down
   const std::shared_ptr<SignsOfLife> signs_of_life_;
   DepartedNodes departed_;  // this, and what else has no lock, is of the thread alone
   int looks_ = 0;
