@@ -38,7 +38,7 @@ using test::evolveReally;
 using test::TemporaryFolder;
 
 constexpr int LONGEST_WAIT_MS = 60000;
-constexpr int LONGEST_GAP_MS = 2000;  // a busy machine has the thread wait; a call to a dead server takes 5 s
+constexpr int LONGEST_GAP_MS = 1000;  // a busy machine has the thread wait; a call to a dead server would take seconds
 
 /// Serves the GUI until the condition holds. @return whether it did.
 bool eventually(const std::function<bool()>& condition)

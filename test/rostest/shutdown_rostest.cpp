@@ -1,10 +1,9 @@
 // What goes on in a node in which ROS has shut down (shutdown.test): a program of its own, since that happens but once.
 
+#include "ros/master_calls.h"
 #include "ros/master_watch.h"
 
-#include <XmlRpcClient.h>
 #include <gtest/gtest.h>
-#include <ros/master.h>
 #include <ros/ros.h>
 #include <std_srvs/Trigger.h>
 
@@ -20,16 +19,13 @@ using std::chrono::steady_clock;
 
 constexpr std::chrono::seconds TWO_LOOKS{ 5 };  // of a watch that looks every two seconds
 
-/// Asks by a connection of the test, since those of roscpp are closed.
 bool masterKnows(const std::string& service)
 {
-  XmlRpc::XmlRpcClient master(ros::master::getHost().c_str(), static_cast<int>(ros::master::getPort()), "/");
-  XmlRpc::XmlRpcValue request;
-  request[0] = "/shutdown_rostest";
-  request[1] = service;
-  XmlRpc::XmlRpcValue answer;
-  EXPECT_TRUE(master.execute("lookupService", request, answer)) << "the master does not answer";
-  return answer.valid() && static_cast<int>(answer[0]) == 1;
+  XmlRpc::XmlRpcValue address;
+  XmlRpc::XmlRpcValue response;
+  const bool known = callMaster("lookupService", { service }, address, "", response);
+  EXPECT_EQ(response.getType(), XmlRpc::XmlRpcValue::TypeArray) << "the master does not answer";
+  return known;
 }
 
 bool succeed(std_srvs::Trigger::Request& /*request*/, std_srvs::Trigger::Response& /*response*/)
